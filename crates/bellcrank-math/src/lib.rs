@@ -1,0 +1,1 @@
+//! Scalars, planar and spatial algebra, and small dense solves of bellcrank.

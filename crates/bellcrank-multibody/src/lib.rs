@@ -1,0 +1,1 @@
+//! Topology, kinematics and inverse dynamics of closed-loop mechanisms.

@@ -1,0 +1,1 @@
+//! Result columns with names and units, and their CSV and JSON writers.
