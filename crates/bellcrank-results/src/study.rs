@@ -1,0 +1,50 @@
+//! What one study leaves.
+
+use crate::{Animation, Table};
+
+/// Why a study stopped before its end.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// Which study, where, which joints.
+    pub message: String,
+    /// What to try.
+    pub hints: Vec<String>,
+}
+
+/// How a joint's reaction stands to the redundancy of the mechanism.
+#[derive(Clone, Debug)]
+pub struct Reaction {
+    /// Joint name.
+    pub joint: String,
+    /// Joint kind, as in the file.
+    pub kind: String,
+    /// For each component (`fx`, `fy`, ..., `mz`): whether equilibrium alone determines it.
+    pub unique: Vec<(String, bool)>,
+}
+
+/// What one study leaves: its rows and everything said about them.
+#[derive(Clone, Debug)]
+pub struct StudyResult {
+    /// Study name.
+    pub name: String,
+    /// Study kind, e.g. `inverse-dynamics`.
+    pub kind: String,
+    /// Names of the columns the rows are counted by: the swept coordinate, or `time`.
+    pub axis: Vec<String>,
+    /// All signals.
+    pub table: Table,
+    /// Reactions and their uniqueness.
+    pub reactions: Vec<Reaction>,
+    /// Body poses a row, for the moving drawing.
+    pub animation: Option<Animation>,
+    /// Single numbers beside the rows: name, SI value, unit (e.g. eigenvalues of an equilibrium).
+    pub scalars: Vec<(String, f64, crate::Unit)>,
+    /// Sentences for the reader.
+    pub warnings: Vec<String>,
+    /// Solver effort by name (`newton_iterations`, `factorizations`, ...).
+    pub effort: Vec<(String, f64)>,
+    /// Wall time of the solution in seconds.
+    pub seconds: f64,
+    /// Set when the study stopped early; the rows before are kept.
+    pub failure: Option<Failure>,
+}
