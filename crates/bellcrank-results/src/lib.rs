@@ -3,14 +3,20 @@
 //! Everything in here is plain data in SI units; a [`Unit`] says how a number is shown.
 //! No mechanics: what is stored was computed elsewhere.
 
+mod csv;
 mod drawing;
+mod reductions;
 mod run;
 mod study;
+mod summary;
 mod table;
 mod unit;
 
-pub use drawing::{Animation, Arrow, DrawnBody, DrawnJoint, Drawing, Pose, SpaceKind};
+pub use csv::{heading, write_csv};
+pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
+pub use reductions::{Extreme, Reductions};
 pub use run::{ParameterRow, Provenance, RunResult};
 pub use study::{Failure, Reaction, StudyResult};
+pub use summary::{run_summary, study_summary};
 pub use table::{Column, Table};
 pub use unit::Unit;

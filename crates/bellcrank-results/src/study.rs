@@ -1,6 +1,6 @@
 //! What one study leaves.
 
-use crate::{Animation, Table};
+use crate::{Animation, ParameterRow, Table};
 
 /// Why a study stopped before its end.
 #[derive(Clone, Debug)]
@@ -23,12 +23,14 @@ pub struct Reaction {
 }
 
 /// What one study leaves: its rows and everything said about them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct StudyResult {
     /// Study name.
     pub name: String,
     /// Study kind, e.g. `inverse-dynamics`.
     pub kind: String,
+    /// Parameters that this study overrides (`set`), with the values it used; empty for most.
+    pub changed: Vec<ParameterRow>,
     /// Names of the columns the rows are counted by: the swept coordinate, or `time`.
     pub axis: Vec<String>,
     /// All signals.
