@@ -1,0 +1,152 @@
+//! The TOML tree: tables in written order, every key and value with its place.
+
+use crate::Span;
+
+/// A value of the tree.
+#[derive(Clone, Debug)]
+pub struct Value {
+    /// What it is.
+    pub kind: ValueKind,
+    /// Its place: from quote to quote, bracket to bracket; the header (`[bodies.link1]`) of a
+    /// table that has one.
+    pub span: Span,
+}
+
+/// The kinds of values.
+#[derive(Clone, Debug)]
+pub enum ValueKind {
+    /// Text.
+    String(Text),
+    /// A whole number.
+    Integer(i64),
+    /// Any other number; may be NaN or infinite, since TOML has them.
+    Float(f64),
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A date or time, as written. Model files have no use for one.
+    Datetime(String),
+    /// A list.
+    List(Vec<Value>),
+    /// A table, from a header, dotted keys or braces.
+    Table(Table),
+    /// Stands where something unreadable was; it has been reported, so stay silent about it.
+    Faulty,
+}
+
+/// Text of a string, and how it lies in the file.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// The text, escapes resolved.
+    pub value: String,
+    /// Byte of the file where `value` starts, when `value` stands there character by character
+    /// (no escapes).
+    pub(crate) origin: Option<usize>,
+}
+
+/// Entries in written order, names unique.
+#[derive(Clone, Debug)]
+pub struct Table {
+    pub(crate) entries: Vec<Entry>,
+    pub(crate) index: std::collections::HashMap<String, usize>,
+    /// The header, the braces, or the key that made it.
+    pub span: Span,
+}
+
+/// `key = value`.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// The key, quotes and escapes resolved.
+    pub key: String,
+    /// Its place.
+    pub key_span: Span,
+    /// The value.
+    pub value: Value,
+}
+
+impl Table {
+    /// A table without entries.
+    #[must_use]
+    pub fn new(span: Span) -> Table {
+        Table {
+            entries: Vec::new(),
+            index: std::collections::HashMap::new(),
+            span,
+        }
+    }
+
+    /// The entry of a key.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Entry> {
+        self.index.get(key).and_then(|&i| self.entries.get(i))
+    }
+
+    /// Entries in written order.
+    pub fn iter(&self) -> std::slice::Iter<'_, Entry> {
+        self.entries.iter()
+    }
+
+    /// Number of entries.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Entry> {
+        self.index.get(key).and_then(|&i| self.entries.get_mut(i))
+    }
+
+    /// Adds an entry; the key must be new.
+    pub(crate) fn insert(&mut self, entry: Entry) {
+        self.index.insert(entry.key.clone(), self.entries.len());
+        self.entries.push(entry);
+    }
+}
+
+impl Value {
+    /// What it is, as `a string`.
+    #[must_use]
+    pub fn describe(&self) -> &'static str {
+        match &self.kind {
+            ValueKind::String(_) => "a string",
+            ValueKind::Integer(_) | ValueKind::Float(_) => "a number",
+            ValueKind::Boolean(_) => "true or false",
+            ValueKind::Datetime(_) => "a date or time",
+            ValueKind::List(_) => "a list",
+            ValueKind::Table(_) => "a table",
+            ValueKind::Faulty => "something unreadable",
+        }
+    }
+
+    /// The text of a string.
+    #[must_use]
+    pub fn as_str(&self) -> Option<&str> {
+        match &self.kind {
+            ValueKind::String(text) => Some(&text.value),
+            _ => None,
+        }
+    }
+
+    /// The table.
+    #[must_use]
+    pub fn as_table(&self) -> Option<&Table> {
+        match &self.kind {
+            ValueKind::Table(table) => Some(table),
+            _ => None,
+        }
+    }
+
+    /// The values of a list.
+    #[must_use]
+    pub fn as_list(&self) -> Option<&[Value]> {
+        match &self.kind {
+            ValueKind::List(values) => Some(values),
+            _ => None,
+        }
+    }
+}
