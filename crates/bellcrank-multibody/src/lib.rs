@@ -1,1 +1,19 @@
 //! Topology, kinematics and inverse dynamics of closed-loop mechanisms.
+//!
+//! A [`Blueprint`] says what there is; [`Mechanism::build`] picks a spanning tree, the joints that
+//! close loops, and freezes both; an [`Engine`] moves it. Numbers are SI throughout. This crate knows
+//! no text, file, unit or clock: errors name entities by id.
+#![expect(non_snake_case, reason = "local names follow the notation of NOTATION.md: X_WF, p_WB, R_WF")]
+
+mod blueprint;
+mod engine;
+mod error;
+
+pub use blueprint::{
+    Axes, Blueprint, Body, BodyId, Coordinate, Force, ForceId, Joint, JointId, JointKind, Place, Value,
+};
+pub use engine::{
+    Actuation, Assembled, BodyMotion, Checks, Energy, Engine, Equilibrium, ForceOutput, Freedom, Moved, PointMotion,
+    Reading, Redundancy, Wrench,
+};
+pub use error::{BuildError, MechanismError, System};
