@@ -1,1 +1,22 @@
 //! Plots, tables and the self-contained HTML report.
+//!
+//! Three readers of one [`RunResult`](bellcrank_results::RunResult): [`terminal_summary`] for a
+//! glance, [`render_html`] for a report to sign, [`figures`] for a paper. Nothing in here knows
+//! mechanics; what is shown was computed elsewhere, in SI, with the unit to show it in.
+
+mod error;
+mod figures;
+mod findings;
+mod folders;
+mod html;
+mod number;
+mod plot;
+mod terminal;
+mod write;
+
+pub use error::ReportError;
+pub use figures::{FigureFile, figures};
+pub use folders::study_folders;
+pub use html::render_html;
+pub use terminal::{Style, terminal_summary};
+pub use write::{write_report, write_run};

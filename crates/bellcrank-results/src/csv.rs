@@ -33,29 +33,17 @@ pub fn write_csv(table: &Table, mut out: impl Write) -> io::Result<()> {
 
 /// A signal's name as it stands over its column: `joint.B.position [deg]`.
 pub fn heading(name: &str, unit: &Unit) -> String {
-    if unit.symbol.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{name} [{}]", unit.symbol)
-    }
+    if unit.symbol.is_empty() { name.to_owned() } else { format!("{name} [{}]", unit.symbol) }
 }
 
 fn header(table: &Table) -> String {
-    let fields: Vec<String> = table
-        .columns
-        .iter()
-        .map(|column| quoted(heading(&column.name, &column.unit)))
-        .collect();
+    let fields: Vec<String> = table.columns.iter().map(|column| quoted(heading(&column.name, &column.unit))).collect();
     fields.join(",") + "\n"
 }
 
 /// RFC 4180: a field with a comma, quote or line break stands in quotes, quotes doubled.
 fn quoted(field: String) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field
-    }
+    if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field }
 }
 
 fn push_row(text: &mut Vec<u8>, columns: &[Column], row: usize) {

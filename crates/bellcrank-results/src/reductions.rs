@@ -31,11 +31,7 @@ pub struct Reductions {
 impl Reductions {
     /// The reductions of `values` (SI), or nothing when no value is finite.
     pub fn of(values: &[f64]) -> Option<Self> {
-        let mut finite = values
-            .iter()
-            .copied()
-            .enumerate()
-            .filter(|(_, value)| value.is_finite());
+        let mut finite = values.iter().copied().enumerate().filter(|(_, value)| value.is_finite());
         let (row, value) = finite.next()?;
         let mut running = Running::start(row, value);
         finite.for_each(|(row, value)| running.add(row, value));
@@ -44,11 +40,7 @@ impl Reductions {
 
     /// The extreme of the largest magnitude.
     pub fn peak(&self) -> Extreme {
-        if self.min.value.abs() > self.max.value.abs() {
-            self.min
-        } else {
-            self.max
-        }
+        if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
     }
 }
 
@@ -71,16 +63,7 @@ impl Running {
         let here = Extreme { value, row };
         let squares = if value == 0.0 { 0.0 } else { 1.0 };
         let (first, last, min, max) = (value, value, here, here);
-        Self {
-            first,
-            last,
-            min,
-            max,
-            count: 1.0,
-            offset: 0.0,
-            scale: value.abs(),
-            squares,
-        }
+        Self { first, last, min, max, count: 1.0, offset: 0.0, scale: value.abs(), squares }
     }
 
     fn add(&mut self, row: usize, value: f64) {

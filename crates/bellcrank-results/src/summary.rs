@@ -2,10 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::{
-    Column, Extreme, Failure, ParameterRow, Provenance, Reaction, Reductions, RunResult,
-    StudyResult, Unit,
-};
+use crate::{Column, Extreme, Failure, ParameterRow, Provenance, Reaction, Reductions, RunResult, StudyResult, Unit};
 
 /// The summary of one study, as `summary.json` holds it: numbers in display units, each unit named.
 ///
@@ -17,10 +14,7 @@ pub fn study_summary(study: &StudyResult) -> Value {
     object.insert("seconds".to_owned(), json!(study.seconds));
     object.insert("warnings".to_owned(), json!(study.warnings));
     object.insert("effort".to_owned(), effort(&study.effort));
-    object.insert(
-        "axis".to_owned(),
-        study.axis.iter().map(|name| axis(study, name)).collect(),
-    );
+    object.insert("axis".to_owned(), study.axis.iter().map(|name| axis(study, name)).collect());
     object.insert("signals".to_owned(), signals(study));
     object.insert("scalars".to_owned(), scalars(&study.scalars));
     object.insert("reactions".to_owned(), reactions(&study.reactions));
@@ -68,19 +62,12 @@ fn parameter(row: &ParameterRow) -> (String, Value) {
 }
 
 fn axis(study: &StudyResult, name: &str) -> Value {
-    let unit = study
-        .table
-        .column(name)
-        .map(|column| column.unit.symbol.as_str());
+    let unit = study.table.column(name).map(|column| column.unit.symbol.as_str());
     json!({ "name": name, "unit": unit })
 }
 
 fn signals(study: &StudyResult) -> Value {
-    let axes: Vec<&Column> = study
-        .axis
-        .iter()
-        .filter_map(|name| study.table.column(name))
-        .collect();
+    let axes: Vec<&Column> = study.axis.iter().filter_map(|name| study.table.column(name)).collect();
     let signal = |column: &Column| (column.name.clone(), signal(column, &axes));
     Value::Object(study.table.columns.iter().map(signal).collect())
 }
@@ -117,10 +104,7 @@ fn extreme(found: Extreme, unit: &Unit, axes: &[&Column]) -> Value {
 
 fn scalars(of: &[(String, f64, Unit)]) -> Value {
     let scalar = |(name, si, unit): &(String, f64, Unit)| {
-        (
-            name.clone(),
-            json!({ "value": shown(*si, unit), "unit": unit.symbol }),
-        )
+        (name.clone(), json!({ "value": shown(*si, unit), "unit": unit.symbol }))
     };
     Value::Object(of.iter().map(scalar).collect())
 }
@@ -128,10 +112,7 @@ fn scalars(of: &[(String, f64, Unit)]) -> Value {
 fn reactions(of: &[Reaction]) -> Value {
     let reaction = |reaction: &Reaction| {
         let unique = named(&reaction.unique, |unique| json!(unique));
-        (
-            reaction.joint.clone(),
-            json!({ "kind": reaction.kind, "unique": unique }),
-        )
+        (reaction.joint.clone(), json!({ "kind": reaction.kind, "unique": unique }))
     };
     Value::Object(of.iter().map(reaction).collect())
 }
@@ -145,22 +126,13 @@ fn failed(failure: &Failure) -> Value {
 }
 
 fn named<T>(pairs: &[(String, T)], value: impl Fn(&T) -> Value) -> Value {
-    Value::Object(
-        pairs
-            .iter()
-            .map(|(name, of)| (name.clone(), value(of)))
-            .collect(),
-    )
+    Value::Object(pairs.iter().map(|(name, of)| (name.clone(), value(of))).collect())
 }
 
 /// A count without a decimal point, any other number as it is.
 fn whole(value: f64) -> Value {
     const EXACT: f64 = 9_007_199_254_740_992.0;
-    if value.fract() == 0.0 && value.abs() < EXACT {
-        json!(value as i64)
-    } else {
-        json!(value)
-    }
+    if value.fract() == 0.0 && value.abs() < EXACT { json!(value as i64) } else { json!(value) }
 }
 
 /// An SI value in `unit`; `null` where it is not finite.

@@ -12,10 +12,7 @@ pub struct Unit {
 impl Unit {
     /// A unit from its symbol and its SI value.
     pub fn new(symbol: impl Into<String>, factor: f64) -> Self {
-        Self {
-            symbol: symbol.into(),
-            factor,
-        }
+        Self { symbol: symbol.into(), factor }
     }
     /// The pure number.
     pub fn one() -> Self {

@@ -1,11 +1,7 @@
 use super::*;
 
 fn column(name: &str, unit: Unit, values: &[f64]) -> Column {
-    Column {
-        name: name.to_owned(),
-        unit,
-        values: values.to_vec(),
-    }
+    Column { name: name.to_owned(), unit, values: values.to_vec() }
 }
 
 fn csv(columns: Vec<Column>) -> String {
@@ -21,10 +17,7 @@ fn numbers_are_shown_in_their_units() {
         column("joint.B.position", Unit::new("mm", 0.001), &[-0.25, 1e-9]),
         column("ratio", Unit::one(), &[1.5, -0.0]),
     ]);
-    assert_eq!(
-        text,
-        "time [s],joint.B.position [mm],ratio\n0,-250,1.5\n0.1,1e-6,-0\n"
-    );
+    assert_eq!(text, "time [s],joint.B.position [mm],ratio\n0,-250,1.5\n0.1,1e-6,-0\n");
 }
 
 #[test]
@@ -53,19 +46,9 @@ fn a_table_without_columns_is_empty() {
 
 #[test]
 fn numbers_read_back_exactly() {
-    let values = [
-        std::f64::consts::PI,
-        1.0 / 3.0,
-        6.02e23,
-        -5e-324,
-        6473.606_158,
-    ];
+    let values = [std::f64::consts::PI, 1.0 / 3.0, 6.02e23, -5e-324, 6_473.606_158];
     let text = csv(vec![column("x", Unit::one(), &values)]);
-    let read: Vec<f64> = text
-        .lines()
-        .skip(1)
-        .map(|line| line.parse().unwrap())
-        .collect();
+    let read: Vec<f64> = text.lines().skip(1).map(|line| line.parse().unwrap()).collect();
     assert_eq!(read, values);
 }
 
@@ -74,8 +57,5 @@ fn large_tables_are_written_whole() {
     let values: Vec<f64> = (0..50_000).map(|row| f64::from(row) / 7.0).collect();
     let text = csv(vec![column("x", Unit::one(), &values)]);
     assert_eq!(text.lines().count(), 50_001);
-    assert_eq!(
-        text.lines().last().unwrap().parse::<f64>().unwrap(),
-        49_999.0 / 7.0
-    );
+    assert_eq!(text.lines().last().unwrap().parse::<f64>().unwrap(), 49_999.0 / 7.0);
 }

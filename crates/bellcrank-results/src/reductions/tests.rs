@@ -3,18 +3,9 @@ use super::*;
 #[test]
 fn of_a_plain_column() {
     let found = Reductions::of(&[3.0, -4.0, 2.0, -1.0]).unwrap();
-    assert_eq!(
-        found.min,
-        Extreme {
-            value: -4.0,
-            row: 1
-        }
-    );
+    assert_eq!(found.min, Extreme { value: -4.0, row: 1 });
     assert_eq!(found.max, Extreme { value: 3.0, row: 0 });
-    assert_eq!(
-        (found.range, found.mean, found.first, found.last),
-        (7.0, 0.0, 3.0, -1.0)
-    );
+    assert_eq!((found.range, found.mean, found.first, found.last), (7.0, 0.0, 3.0, -1.0));
     assert!((found.rms - 7.5_f64.sqrt()).abs() < 1e-15);
     assert_eq!(found.peak(), found.min);
 }

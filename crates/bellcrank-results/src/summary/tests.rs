@@ -2,11 +2,7 @@ use super::*;
 use crate::{Drawing, SpaceKind, Table};
 
 fn column(name: &str, unit: Unit, values: &[f64]) -> Column {
-    Column {
-        name: name.to_owned(),
-        unit,
-        values: values.to_vec(),
-    }
+    Column { name: name.to_owned(), unit, values: values.to_vec() }
 }
 
 fn study() -> StudyResult {
@@ -18,11 +14,7 @@ fn study() -> StudyResult {
         axis: vec!["joint.B.position".to_owned()],
         table: Table {
             columns: vec![
-                column(
-                    "joint.B.position",
-                    Unit::new("deg", degree),
-                    &[-30.0 * degree, 30.0 * degree],
-                ),
+                column("joint.B.position", Unit::new("deg", degree), &[-30.0 * degree, 30.0 * degree]),
                 column("drive.slide.force", Unit::new("N", 1.0), &[6473.5, 6175.5]),
                 column("nowhere", Unit::one(), &[f64::NAN, f64::NAN]),
             ],
@@ -64,12 +56,7 @@ fn run(studies: Vec<StudyResult>) -> RunResult {
         },
         parameters: vec![arm()],
         facts: vec![("bodies".to_owned(), "5".to_owned())],
-        drawing: Drawing {
-            space: SpaceKind::Planar,
-            bodies: Vec::new(),
-            joints: Vec::new(),
-            arrows: Vec::new(),
-        },
+        drawing: Drawing { space: SpaceKind::Planar, bodies: Vec::new(), joints: Vec::new(), arrows: Vec::new() },
         studies,
         warnings: Vec::new(),
     }
@@ -84,15 +71,9 @@ fn a_study_has_exactly_this_shape() {
 #[test]
 fn a_failure_is_told_with_its_hints() {
     let mut study = study();
-    study.failure = Some(Failure {
-        message: "stuck".to_owned(),
-        hints: vec!["push".to_owned()],
-    });
+    study.failure = Some(Failure { message: "stuck".to_owned(), hints: vec!["push".to_owned()] });
     let summary = study_summary(&study);
-    assert_eq!(
-        summary["failure"],
-        json!({ "message": "stuck", "hints": ["push"] })
-    );
+    assert_eq!(summary["failure"], json!({ "message": "stuck", "hints": ["push"] }));
 }
 
 #[test]

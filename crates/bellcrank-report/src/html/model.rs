@@ -1,0 +1,59 @@
+//! The model: parameters and facts about the mechanism.
+
+use bellcrank_results::{ParameterRow, RunResult, Unit};
+
+use super::Escaped;
+use crate::number;
+
+pub(crate) fn section(run: &RunResult) -> String {
+    format!(
+        "<section id=\"model\">\n<h2>Model</h2>\n<div class=\"columns\">\n{}{}</div>\n</section>\n",
+        facts(&run.facts),
+        parameters(&run.parameters, "Parameters")
+    )
+}
+
+fn facts(facts: &[(String, String)]) -> String {
+    if facts.is_empty() {
+        return String::new();
+    }
+    let row = |(label, text): &(String, String)| {
+        format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", Escaped(label), Escaped(text))
+    };
+    let rows: String = facts.iter().map(row).collect();
+    format!("<div class=\"scroll\"><h3>Mechanism</h3>\n<table class=\"facts\">\n{rows}</table></div>\n")
+}
+
+/// A table of parameters as used, with what the file says and the bounds.
+pub(crate) fn parameters(rows: &[ParameterRow], title: &str) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let rows: String = rows.iter().map(parameter).collect();
+    format!(
+        "<div class=\"scroll\"><h3>{title}</h3>\n<table class=\"parameters\">\n<thead><tr>\
+         <th scope=\"col\">Name</th><th scope=\"col\" class=\"n\">Value</th>\
+         <th scope=\"col\">Unit</th><th scope=\"col\" class=\"n\">Min</th>\
+         <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\">As written</th>\
+         <th scope=\"col\">Note</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+}
+
+fn parameter(row: &ParameterRow) -> String {
+    let bound = |si: Option<f64>| si.map_or_else(String::new, |si| shown(si, &row.unit));
+    format!(
+        "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td>\
+         <td class=\"n\">{}</td><td><code>{}</code></td><td>{}</td></tr>\n",
+        Escaped(&row.name),
+        shown(row.value, &row.unit),
+        Escaped(&row.unit.symbol),
+        bound(row.bounds.0),
+        bound(row.bounds.1),
+        Escaped(&row.written),
+        Escaped(&row.note)
+    )
+}
+
+fn shown(si: f64, unit: &Unit) -> String {
+    number::typeset(&number::alone(unit.show(si)))
+}

@@ -1,0 +1,161 @@
+//! One study, top to bottom.
+
+use bellcrank_results::{RunResult, StudyResult};
+
+use super::page::{counted, warnings};
+use super::{Escaped, glance, model, reactions};
+use crate::findings::{self, Check};
+use crate::{FigureFile, number};
+
+/// Where a study stands in the page.
+pub(crate) struct Place<'a> {
+    /// Its index in the run.
+    pub(crate) index: usize,
+    /// Its name as a link target.
+    pub(crate) id: &'a str,
+}
+
+pub(crate) fn push_section(
+    page: &mut String,
+    run: &RunResult,
+    study: &StudyResult,
+    place: &Place<'_>,
+    figures: &[FigureFile],
+) {
+    let (id, name, kind) = (place.id, Escaped(&study.name), Escaped(&study.kind));
+    page.push_str(&format!("<section class=\"study\" id=\"study-{id}\">\n<h2>{name} <small>{kind}</small></h2>\n"));
+    page.push_str(&lead(run, study));
+    page.push_str(&failure(study));
+    page.push_str(&warnings(&study.warnings));
+    page.push_str(&model::parameters(&study.changed, "Parameters changed in this study"));
+    page.push_str(&glance::glance(study));
+    page.push_str(&mounts(run, study, place.index));
+    push_figures(page, figures);
+    page.push_str(&reactions::table(study));
+    page.push_str(&reactions::hodographs(figures, place.index));
+    page.push_str(&trust(study));
+    page.push_str("</section>\n");
+}
+
+/// What was computed, over what, and from what, in a sentence or two.
+fn lead(run: &RunResult, study: &StudyResult) -> String {
+    let ranges: Vec<String> = findings::axis_ranges(study)
+        .into_iter()
+        .map(|(name, range)| format!("<code>{}</code> from {}", Escaped(&name), Escaped(&range_in_words(&range))))
+        .collect();
+    let over = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(", ")) };
+    format!(
+        "<p class=\"lead\">{} at {}{over}. Computed from <code>{}</code>{} in {}.</p>\n",
+        what(&study.kind),
+        counted(study.table.rows(), "row", "rows"),
+        Escaped(&run.provenance.file),
+        if study.changed.is_empty() { "" } else { " with the parameters changed as listed" },
+        number::duration(study.seconds)
+    )
+}
+
+fn range_in_words(range: &str) -> String {
+    number::typeset_places(range).replace(" … ", " to ")
+}
+
+fn what(kind: &str) -> String {
+    match kind {
+        "kinematics" => "Positions, velocities and accelerations".to_owned(),
+        "inverse-dynamics" => "Positions, velocities, accelerations, drive forces and joint reactions \
+             (d’Alembert’s principle)"
+            .to_owned(),
+        "statics" => "Equilibrium of weights, springs and applied forces".to_owned(),
+        "dynamics" => "Motion in time under drives and forces".to_owned(),
+        other => format!("A study of kind {}", Escaped(other)),
+    }
+}
+
+fn failure(study: &StudyResult) -> String {
+    let Some(failure) = &study.failure else { return String::new() };
+    let hint = |hint: &String| format!("<li>{}</li>\n", Escaped(hint));
+    let hints: String = failure.hints.iter().map(hint).collect();
+    let hints = if hints.is_empty() { hints } else { format!("<p>What to try:</p>\n<ul>\n{hints}</ul>\n") };
+    let kept = counted(study.table.rows(), "row", "rows");
+    format!(
+        "<div class=\"note bad\" role=\"alert\"><b>This study stopped before its end.</b> {} \
+         What follows shows the {kept} before that.\n{hints}</div>\n",
+        Escaped(&failure.message)
+    )
+}
+
+/// Where the browser part puts the moving drawing and the curves.
+fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
+    if study.table.rows() == 0 {
+        return "<p class=\"hint\">There are no rows to draw.</p>\n".to_owned();
+    }
+    let moves = study.animation.as_ref().is_some_and(|animation| !animation.frames.is_empty());
+    let stage = if moves && !run.drawing.bodies.is_empty() {
+        format!(
+            "<h3 class=\"needs-script\">Motion</h3>\n\
+             <div class=\"stage needs-script\" data-stage=\"{index}\"></div>\n"
+        )
+    } else {
+        String::new()
+    };
+    format!(
+        "{stage}<h3 class=\"needs-script no-print\">Curves</h3>\n\
+         <div class=\"curves needs-script no-print\" data-curves=\"{index}\"></div>\n"
+    )
+}
+
+/// The charts as pictures: for print, and where scripts do not run.
+fn push_figures(page: &mut String, figures: &[FigureFile]) {
+    page.push_str("<div class=\"figures\">\n");
+    for figure in figures.iter().filter(|figure| figure.joint.is_none()) {
+        page.push_str("<figure>");
+        page.push_str(&inline(&figure.svg));
+        page.push_str("</figure>\n");
+    }
+    page.push_str("</div>\n");
+}
+
+/// An SVG document as part of the page, where the name space is understood.
+pub(crate) fn inline(svg: &str) -> String {
+    svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1)
+}
+
+/// The trust signals against their limits.
+fn trust(study: &StudyResult) -> String {
+    let rows: String = findings::checks(study).iter().map(|check| check_row(study, check)).collect();
+    let effort: Vec<String> = study
+        .effort
+        .iter()
+        .map(|(name, count)| format!("{} {}", Escaped(&name.replace('_', " ")), number::alone(*count)))
+        .collect();
+    if rows.is_empty() && effort.is_empty() {
+        return String::new();
+    }
+    let effort = if effort.is_empty() {
+        String::new()
+    } else {
+        format!("<p class=\"hint\">Solver effort: {}.</p>\n", effort.join(", "))
+    };
+    format!(
+        "<div class=\"trust\">\n<h3>Can this be trusted?</h3>\n<div class=\"scroll\">\
+         <table>\n{rows}</table></div>\n{effort}</div>\n"
+    )
+}
+
+fn check_row(study: &StudyResult, check: &Check<'_>) -> String {
+    let (class, word) = if check.passed() { ("pass", "pass") } else { ("fail", "FAIL") };
+    let unit = &check.finding.column.unit;
+    let show = |si: f64| {
+        let text = number::typeset(&number::significant(unit.show(si), 3));
+        number::with_unit(&text, &Escaped(&unit.symbol).to_string())
+    };
+    let place = findings::whereabouts(study, check.finding.reductions.peak());
+    format!(
+        "<tr><th scope=\"row\">{}<span class=\"kind\">{}</span></th><td class=\"n\">{}</td>\
+         <td class=\"at\">at {}</td><td>limit {}</td><td class=\"{class}\">{word}</td></tr>\n",
+        check.title,
+        check.meaning,
+        show(check.finding.peak()),
+        Escaped(&number::typeset_places(&place)),
+        show(check.limit)
+    )
+}

@@ -1,0 +1,72 @@
+//! The files that a run leaves.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+
+use bellcrank_results::{RunResult, StudyResult, study_summary, write_csv};
+
+use crate::html::page;
+use crate::{FigureFile, ReportError, figures, study_folders};
+
+/// Writes `report.html` and `STUDY/plots/*.svg` into `dir`, which is made where it is missing.
+///
+/// Gives the paths that were written, the report first.
+///
+/// # Errors
+/// A folder that cannot be made or a file that cannot be written.
+pub fn write_report(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    make_folder(dir)?;
+    let figures: Vec<_> = run.studies.iter().map(figures).collect();
+    let page = page(run, &figures);
+    let mut written = vec![write_file(dir.join("report.html"), page.as_bytes())?];
+    for (figures, folder) in figures.iter().zip(study_folders(run)) {
+        written.extend(write_plots(figures, &dir.join(folder).join("plots"))?);
+    }
+    Ok(written)
+}
+
+/// Writes everything a run leaves: for each study `series.csv`, `summary.json` and plots, and one
+/// `report.html`.
+///
+/// Gives the paths that were written, the report first.
+///
+/// # Errors
+/// A folder that cannot be made or a file that cannot be written.
+pub fn write_run(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let mut written = write_report(run, dir)?;
+    for (study, folder) in run.studies.iter().zip(study_folders(run)) {
+        let folder = dir.join(folder);
+        make_folder(&folder)?;
+        written.push(write_series(study, folder.join("series.csv"))?);
+        let summary = format!("{:#}\n", study_summary(study));
+        written.push(write_file(folder.join("summary.json"), summary.as_bytes())?);
+    }
+    Ok(written)
+}
+
+fn write_plots(figures: &[FigureFile], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    if !figures.is_empty() {
+        make_folder(dir)?;
+    }
+    let write = |file: &FigureFile| write_file(dir.join(format!("{}.svg", file.stem)), file.svg.as_bytes());
+    figures.iter().map(write).collect()
+}
+
+fn write_series(study: &StudyResult, path: PathBuf) -> Result<PathBuf, ReportError> {
+    let write = |path: &Path| write_csv(&study.table, File::create(path)?);
+    match write(&path) {
+        Ok(()) => Ok(path),
+        Err(source) => Err(ReportError::File { path, source }),
+    }
+}
+
+fn make_folder(path: &Path) -> Result<(), ReportError> {
+    fs::create_dir_all(path).map_err(|source| ReportError::Folder { path: path.to_owned(), source })
+}
+
+fn write_file(path: PathBuf, bytes: &[u8]) -> Result<PathBuf, ReportError> {
+    match fs::write(&path, bytes) {
+        Ok(()) => Ok(path),
+        Err(source) => Err(ReportError::File { path, source }),
+    }
+}
