@@ -1,1 +1,23 @@
-//! From a model file to a mechanism, and from a study to results.
+//! From a model file to a mechanism, and from a study to results: the only place where text meets
+//! mechanics.
+//!
+//! [`load`] reads a file and checks everything in it; a [`Model`] answers what it is
+//! ([`Model::check`]) and runs its studies ([`Model::run`], [`Model::run_all`]). [`schema`] and
+//! [`starter`] are the format in other clothes.
+
+mod check;
+mod error;
+mod load;
+mod model;
+mod progress;
+mod schema;
+mod starter;
+pub mod verify;
+
+pub use check::{BodyFact, Check, JointFact};
+pub use error::RunError;
+pub use load::{Loaded, load};
+pub use model::{Model, StudyInfo};
+pub use progress::{Progress, Silent};
+pub use schema::schema;
+pub use starter::starter;

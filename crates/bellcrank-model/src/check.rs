@@ -1,0 +1,80 @@
+//! What `bellcrank check` shows.
+
+use bellcrank_results::SpaceKind;
+use serde_json::Value;
+
+/// A body in a check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyFact {
+    /// Name.
+    pub name: String,
+    /// kg; 0 for a massless body.
+    pub mass: f64,
+    /// Joints at it.
+    pub joints: Vec<String>,
+}
+
+/// A joint in a check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFact {
+    /// Name.
+    pub name: String,
+    /// Kind, as in the file.
+    pub kind: String,
+    /// First and second body; empty for a coupler.
+    pub bodies: Vec<String>,
+    /// Closes a loop.
+    pub closes: bool,
+}
+
+/// Facts about a mechanism.
+#[derive(Clone, Debug)]
+pub struct Check {
+    /// Model name.
+    pub model: String,
+    /// Title.
+    pub title: String,
+    /// Plane or space.
+    pub space: SpaceKind,
+    /// Bodies without the ground.
+    pub bodies: Vec<BodyFact>,
+    /// Joints.
+    pub joints: Vec<JointFact>,
+    /// Names of forces.
+    pub forces: Vec<String>,
+    /// Coordinates of the spanning tree.
+    pub coordinates: usize,
+    /// Equations of loops and couplings.
+    pub equations: usize,
+    /// Independent ones at the assembled position; `None` when it could not be assembled.
+    pub rank: Option<usize>,
+    /// Degrees of freedom counted: coordinates less equations.
+    pub counted: i64,
+    /// Degrees of freedom: coordinates less rank.
+    pub degrees: Option<usize>,
+    /// Number of loops.
+    pub loops: usize,
+    /// Redundant equations in words: "`N` along x".
+    pub redundant: Vec<String>,
+    /// Coordinates able to move, most mobile first.
+    pub mobile: Vec<String>,
+    /// The assembled position is special: nearby, fewer coordinates can move.
+    pub special: bool,
+    /// What is missing or suspicious.
+    pub notes: Vec<String>,
+    /// Why it could not be assembled.
+    pub failure: Option<bellcrank_results::Failure>,
+}
+
+impl Check {
+    /// For people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        todo!()
+    }
+    /// For programs.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        todo!()
+    }
+}
