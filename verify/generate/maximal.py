@@ -704,10 +704,10 @@ class Model:
             sig[f"joint.{name}.reaction.moment"] = np.linalg.norm(W[name][:3])
         for d, c in dpos.items():
             name, k = self.coords[d]
-            tailname = name if self.joints[name]["n"] == 1 else f"{name}.{k}"
-            sig[f"drive.{tailname}.force"] = sol[c]
-            sig[f"drive.{tailname}.power"] = sol[c] * qd[d]
-            unique[f"drive.{tailname}"] = bool(N.size == 0 or np.abs(N[c]).max() < 1e-7)
+            tail = "" if self.joints[name]["n"] == 1 else f".{k}"
+            sig[f"drive.{name}.force{tail}"] = sol[c]
+            sig[f"drive.{name}.power{tail}"] = sol[c] * qd[d]
+            unique[f"drive.{name}{tail}"] = bool(N.size == 0 or np.abs(N[c]).max() < 1e-7)
         sig["#unique"], sig["#redundant"] = unique, N.shape[1]
         return sig
 
