@@ -7,9 +7,12 @@ use std::time::Instant;
 use crate::shell::{self, Outcome, cargo, cargo_command, files, relative, root};
 use crate::sizes;
 
+/// What a step is called, and the step.
+type Step = (&'static str, fn() -> Outcome);
+
 /// Format, lints, documentation, sizes, examples, verification, tests.
 pub(crate) fn run(_: &[String]) -> Outcome {
-    let steps: [(&str, fn() -> Outcome); 6] = [
+    let steps: [Step; 6] = [
         ("format", || cargo(&["fmt", "--all", "--check"])),
         ("lints", || cargo(&["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"])),
         ("documentation", documentation),

@@ -1,0 +1,105 @@
+//! The command line as it is typed. Nothing in here has been checked beyond its shape; [`crate::config`] does that.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+/// From a model file to motion, forces and a report, for any closed-loop mechanism.
+#[derive(Debug, Parser)]
+#[command(name = "bellcrank", version, about, arg_required_else_help = true, after_help = EXIT_CODES)]
+pub(crate) struct Args {
+    /// When to use colour.
+    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    pub(crate) color: When,
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 the model file is wrong, 2 the command line is wrong, \
+    3 the mathematics failed, 70 a fault of bellcrank, 130 stopped by Ctrl-C.";
+
+/// When to use colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum When {
+    /// On a terminal, unless NO_COLOR is set.
+    Auto,
+    /// Also into files and pipes.
+    Always,
+    /// Nowhere.
+    Never,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Run the studies of a model; write CSV, JSON, plots and a report.
+    Run(RunArgs),
+    /// Check a model file; show bodies, joints, degrees of freedom, loops, redundant equations.
+    Check(CheckArgs),
+    /// Print the JSON Schema of the model file, for editors.
+    Schema,
+    /// Write a commented model file to start from.
+    New(NewArgs),
+    /// Print a completion script for a shell.
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+/// Arguments of `run`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct RunArgs {
+    /// The model file.
+    pub(crate) model: PathBuf,
+    /// Studies to run; all unless given.
+    #[arg(value_name = "STUDY")]
+    pub(crate) studies: Vec<String>,
+    /// Another value for a parameter, as `l31=700mm` (again for more).
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Where to write; `results/<model name>` unless given.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Print the summaries as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Print nothing but errors.
+    #[arg(long, short, conflicts_with = "json")]
+    pub(crate) quiet: bool,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct CheckArgs {
+    /// The model file.
+    pub(crate) model: PathBuf,
+    /// Another value for a parameter, as `l31=700mm` (again for more).
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Print the findings as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `new`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct NewArgs {
+    /// Name of the machine; the file is NAME.toml.
+    pub(crate) name: PathBuf,
+    /// Replace a file that is already there.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definitions_do_not_contradict_each_other() {
+        super::Args::command().debug_assert();
+    }
+}

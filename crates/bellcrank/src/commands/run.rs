@@ -1,0 +1,112 @@
+//! `bellcrank run`: the studies of a model, and what they leave.
+
+use std::path::{Path, PathBuf};
+
+use bellcrank_doc::nearest;
+use bellcrank_model::{Model, RunError, StudyInfo};
+use bellcrank_report::terminal_summary;
+use bellcrank_results::{RunResult, run_summary};
+
+use crate::config::{Printed, RunConfig};
+use crate::console::Console;
+use crate::exit::{Exit, Refusal};
+use crate::interrupt::Interrupt;
+use crate::loading::{Shown, open};
+use crate::progress::Watch;
+use crate::staging::Staging;
+
+/// Runs the studies, writes their files, prints their summary.
+pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal> {
+    let model = open(&config.model, &config.settings, shown(config.printed), console)?;
+    refuse_unknown(&model, &config.studies)?;
+    let out = config.out.clone().unwrap_or_else(|| default_out(&model));
+    let staging = Staging::prepare(&out)?;
+    let interrupt = Interrupt::listen();
+    let result = compute(&model, config, interrupt.clone())?;
+    let files = staging.publish(&result)?;
+    tell(&result, &out, files, config.printed, console)?;
+    Ok(exit(&result, &interrupt))
+}
+
+fn shown(printed: Printed) -> Shown {
+    match printed {
+        Printed::Summary => Shown::All,
+        Printed::Json => Shown::Json,
+        Printed::Nothing => Shown::Errors,
+    }
+}
+
+fn default_out(model: &Model) -> PathBuf {
+    Path::new("results").join(model.name())
+}
+
+/// Before anything is made on disk.
+fn refuse_unknown(model: &Model, studies: &[String]) -> Result<(), Refusal> {
+    let known = model.studies();
+    studies.iter().try_for_each(|study| find(&known, study)).map_err(refusal)
+}
+
+fn find(known: &[StudyInfo], name: &str) -> Result<(), RunError> {
+    match known.iter().find(|study| study.name == name) {
+        Some(study) if study.available => Ok(()),
+        Some(study) => Err(RunError::NotAvailable { study: study.name.clone(), kind: study.kind.clone() }),
+        None => Err(unknown(known, name)),
+    }
+}
+
+fn unknown(known: &[StudyInfo], name: &str) -> RunError {
+    let names: Vec<String> = known.iter().map(|study| study.name.clone()).collect();
+    let nearest = nearest(name, names.iter().map(String::as_str)).map(str::to_owned);
+    RunError::UnknownStudy { name: name.to_owned(), nearest, known: names }
+}
+
+fn refusal(error: RunError) -> Refusal {
+    Refusal { exit: Exit::CommandLine, message: error.to_string(), hints: error.hints() }
+}
+
+fn compute(model: &Model, config: &RunConfig, interrupt: Interrupt) -> Result<RunResult, Refusal> {
+    let mut watch = Watch::new(interrupt, config.printed);
+    let result = model.run_all(&config.studies, &mut watch);
+    watch.finish();
+    result.map_err(refusal)
+}
+
+fn tell(result: &RunResult, out: &Path, files: usize, printed: Printed, console: &Console) -> Result<(), Refusal> {
+    match printed {
+        Printed::Summary => {
+            let summary = terminal_summary(result, &console.style());
+            console.print(&format!("{summary}\n{}\n", whereabouts(out, files)))
+        }
+        Printed::Json => {
+            tell_failures(result, console);
+            console.print(&format!("{:#}\n", run_summary(result)))
+        }
+        Printed::Nothing => {
+            tell_failures(result, console);
+            Ok(())
+        }
+    }
+}
+
+fn whereabouts(out: &Path, files: usize) -> String {
+    format!("{files} files in {}; open {}", out.display(), out.join("report.html").display())
+}
+
+/// The summary for people says these itself.
+fn tell_failures(result: &RunResult, console: &Console) {
+    for study in &result.studies {
+        if let Some(failure) = &study.failure {
+            console.error(&format!("study `{}`: {}", study.name, failure.message), &failure.hints);
+        }
+    }
+}
+
+fn exit(result: &RunResult, interrupt: &Interrupt) -> Exit {
+    if interrupt.pressed() {
+        Exit::Interrupted
+    } else if result.studies.iter().any(|study| study.failure.is_some()) {
+        Exit::Mathematics
+    } else {
+        Exit::Done
+    }
+}

@@ -1,0 +1,150 @@
+//! The command line, checked: what the commands work with.
+
+use std::path::{Path, PathBuf};
+
+use crate::args::{CheckArgs, NewArgs, RunArgs};
+use crate::exit::Refusal;
+
+/// A parameter's name and its other value, as written.
+pub(crate) type Setting = (String, String);
+
+/// What `run` shall print.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Printed {
+    /// A summary for people.
+    Summary,
+    /// One JSON object.
+    Json,
+    /// Errors only.
+    Nothing,
+}
+
+/// What `run` shall do.
+#[derive(Debug)]
+pub(crate) struct RunConfig {
+    pub(crate) model: PathBuf,
+    /// Each named once.
+    pub(crate) studies: Vec<String>,
+    pub(crate) settings: Vec<Setting>,
+    /// `None` is the default, which depends on the model's name.
+    pub(crate) out: Option<PathBuf>,
+    pub(crate) printed: Printed,
+}
+
+impl RunConfig {
+    /// Checks the arguments of `run`.
+    pub(crate) fn new(args: &RunArgs) -> Result<Self, Refusal> {
+        let printed = match (args.json, args.quiet) {
+            (true, _) => Printed::Json,
+            (_, true) => Printed::Nothing,
+            _ => Printed::Summary,
+        };
+        let settings = settings(&args.set)?;
+        Ok(Self {
+            model: args.model.clone(),
+            studies: distinct(&args.studies),
+            settings,
+            out: args.out.clone(),
+            printed,
+        })
+    }
+}
+
+/// What `check` shall do.
+#[derive(Debug)]
+pub(crate) struct CheckConfig {
+    pub(crate) model: PathBuf,
+    pub(crate) settings: Vec<Setting>,
+    pub(crate) json: bool,
+}
+
+impl CheckConfig {
+    /// Checks the arguments of `check`.
+    pub(crate) fn new(args: &CheckArgs) -> Result<Self, Refusal> {
+        Ok(Self { model: args.model.clone(), settings: settings(&args.set)?, json: args.json })
+    }
+}
+
+/// What `new` shall do.
+#[derive(Debug)]
+pub(crate) struct NewConfig {
+    pub(crate) file: PathBuf,
+    pub(crate) name: String,
+    pub(crate) force: bool,
+}
+
+impl NewConfig {
+    /// Checks the arguments of `new`; `NAME` and `NAME.toml` mean the same.
+    pub(crate) fn new(args: &NewArgs) -> Result<Self, Refusal> {
+        let file = with_ending(&args.name);
+        match args.name.file_name().and_then(|_| file.file_stem()?.to_str()) {
+            Some(name) => Ok(Self { name: name.to_owned(), file, force: args.force }),
+            None => Err(Refusal::command_line(format!("`{}` is no name for a file", args.name.display()))),
+        }
+    }
+}
+
+/// Not `Path::with_extension`, which would make `lift.2` into `lift.toml`.
+fn with_ending(path: &Path) -> PathBuf {
+    if path.extension().is_some_and(|ending| ending == "toml") {
+        return path.to_owned();
+    }
+    let mut name = path.as_os_str().to_owned();
+    name.push(".toml");
+    name.into()
+}
+
+fn settings(all: &[String]) -> Result<Vec<Setting>, Refusal> {
+    all.iter().map(|text| setting(text)).collect()
+}
+
+fn setting(text: &str) -> Result<Setting, Refusal> {
+    let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+    match parts {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => Ok((name.to_owned(), value.to_owned())),
+        _ => Err(Refusal::command_line(format!("`--set` needs NAME=VALUE, found `{text}`"))
+            .hint("write it as `--set l31=700mm`")),
+    }
+}
+
+fn distinct(names: &[String]) -> Vec<String> {
+    let mut once: Vec<String> = Vec::new();
+    for name in names {
+        if !once.contains(name) {
+            once.push(name.clone());
+        }
+    }
+    once
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_setting_is_a_name_and_a_value() {
+        let pair = |name: &str, value: &str| Some((name.to_owned(), value.to_owned()));
+        assert_eq!(setting("l31=700mm").ok(), pair("l31", "700mm"));
+        assert_eq!(setting(" a = b == c ").ok(), pair("a", "b == c"));
+        for wrong in ["l31", "=3", "l31=", "", "="] {
+            assert!(setting(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_name_becomes_a_file() {
+        let file = |name: &str| with_ending(Path::new(name)).display().to_string();
+        assert_eq!(file("crane"), "crane.toml");
+        assert_eq!(file("crane.toml"), "crane.toml");
+        assert_eq!(file("machines/crane.2"), "machines/crane.2.toml");
+        for wrong in ["", "..", "/"] {
+            assert!(NewConfig::new(&NewArgs { name: wrong.into(), force: false }).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_study_named_twice_is_run_once() {
+        let names = ["b", "a", "b"].map(str::to_owned);
+        assert_eq!(distinct(&names), ["b", "a"]);
+    }
+}
