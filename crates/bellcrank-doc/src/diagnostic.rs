@@ -41,7 +41,7 @@ pub struct Diagnostic {
     /// One sentence, lowercase, names in backticks.
     pub message: String,
     /// Where; `None` for what concerns no place (a file that cannot be opened).
-    pub primary: Option<Label>,
+    pub primary: Option<Box<Label>>,
     /// Other places that explain it.
     pub secondary: Vec<Label>,
     /// What to try.
@@ -64,24 +64,9 @@ impl Diagnostic {
         Diagnostic::new(Severity::Error, code, None, message.into())
     }
 
-    fn new(
-        severity: Severity,
-        code: &'static str,
-        span: Option<Span>,
-        message: String,
-    ) -> Diagnostic {
-        let primary = span.map(|span| Label {
-            span,
-            message: String::new(),
-        });
-        Diagnostic {
-            severity,
-            code,
-            message,
-            primary,
-            secondary: Vec::new(),
-            hints: Vec::new(),
-        }
+    fn new(severity: Severity, code: &'static str, span: Option<Span>, message: String) -> Diagnostic {
+        let primary = span.map(|span| Box::new(Label { span, message: String::new() }));
+        Diagnostic { severity, code, message, primary, secondary: Vec::new(), hints: Vec::new() }
     }
 
     /// Words under the primary carets.
@@ -96,10 +81,7 @@ impl Diagnostic {
     /// One more place.
     #[must_use]
     pub fn also(mut self, span: Span, message: impl Into<String>) -> Diagnostic {
-        self.secondary.push(Label {
-            span,
-            message: message.into(),
-        });
+        self.secondary.push(Label { span, message: message.into() });
         self
     }
 
@@ -169,10 +151,7 @@ impl Diagnostics {
     /// Number of errors.
     #[must_use]
     pub fn errors(&self) -> usize {
-        self.all
-            .iter()
-            .filter(|d| d.severity == Severity::Error)
-            .count()
+        self.all.iter().filter(|d| d.severity == Severity::Error).count()
     }
 
     /// All, in the order they stand in.
@@ -216,9 +195,7 @@ impl IntoIterator for Diagnostics {
 
 impl FromIterator<Diagnostic> for Diagnostics {
     fn from_iter<I: IntoIterator<Item = Diagnostic>>(all: I) -> Diagnostics {
-        Diagnostics {
-            all: all.into_iter().collect(),
-        }
+        Diagnostics { all: all.into_iter().collect() }
     }
 }
 

@@ -70,13 +70,12 @@ impl Dimension {
     /// Whole exponents of length, mass, time, angle, temperature (each within ±1000).
     #[must_use]
     pub const fn of(length: i16, mass: i16, time: i16, angle: i16, temperature: i16) -> Dimension {
-        Dimension([
-            length * WHOLE,
-            mass * WHOLE,
-            time * WHOLE,
-            angle * WHOLE,
-            temperature * WHOLE,
-        ])
+        Dimension([length * WHOLE, mass * WHOLE, time * WHOLE, angle * WHOLE, temperature * WHOLE])
+    }
+
+    /// Exponents of length, mass, time, angle, temperature.
+    pub(crate) fn exponents(self) -> [f64; 5] {
+        self.0.map(|e| f64::from(e) / f64::from(WHOLE))
     }
 
     /// Whether all exponents are zero.
@@ -117,11 +116,7 @@ impl Dimension {
     /// Of two dimensions that agree, the one with less angle in it.
     #[must_use]
     pub(crate) fn plainer(self, other: Dimension) -> Dimension {
-        if other.0[ANGLE].abs() < self.0[ANGLE].abs() {
-            other
-        } else {
-            self
-        }
+        if other.0[ANGLE].abs() < self.0[ANGLE].abs() { other } else { self }
     }
 
     /// Product, `None` when an exponent leaves the range (`x^90*x^90`).

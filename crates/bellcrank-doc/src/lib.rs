@@ -15,12 +15,13 @@ mod text;
 mod toml;
 mod tree;
 mod units;
+mod words;
+mod written;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Finding, Label, Severity};
 pub use dimension::Dimension;
 pub use expression::{
-    Comparison, Condition, Constraint, Expression, NoSignals, Reduction, ReductionKind, Response,
-    Scope, Signals,
+    Comparison, Condition, Constraint, Expression, NoSignals, Reduction, ReductionKind, Response, Scope, Signals,
 };
 pub use fields::{Fields, Reader};
 pub use nearest::nearest;

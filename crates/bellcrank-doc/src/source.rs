@@ -19,11 +19,7 @@ impl Span {
     /// The bytes `start..end` of `source`.
     #[must_use]
     pub fn new(source: SourceId, start: usize, end: usize) -> Span {
-        Span {
-            source,
-            start,
-            end: end.max(start),
-        }
+        Span { source, start, end: end.max(start) }
     }
 
     /// The smallest span over both, which must be of one source (else `self`).
@@ -32,11 +28,7 @@ impl Span {
         if self.source != other.source {
             return self;
         }
-        Span::new(
-            self.source,
-            self.start.min(other.start),
-            self.end.max(other.end),
-        )
+        Span::new(self.source, self.start.min(other.start), self.end.max(other.end))
     }
 }
 
@@ -82,14 +74,8 @@ impl Sources {
     /// Keeps `text` under `name` (a path as the user gave it, or `--set`).
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> SourceId {
         let text = text.into();
-        let lines = std::iter::once(0)
-            .chain(text.match_indices('\n').map(|(i, _)| i + 1))
-            .collect();
-        self.all.push(Source {
-            name: name.into(),
-            text,
-            lines,
-        });
+        let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
+        self.all.push(Source { name: name.into(), text, lines });
         SourceId(u32::try_from(self.all.len() - 1).unwrap_or(u32::MAX))
     }
 
@@ -108,9 +94,7 @@ impl Sources {
     /// The text of a span; empty when the span does not fit its text.
     #[must_use]
     pub fn slice(&self, span: Span) -> &str {
-        self.text(span.source)
-            .get(span.start..span.end)
-            .unwrap_or("")
+        self.text(span.source).get(span.start..span.end).unwrap_or("")
     }
 
     /// A span over the whole text.
@@ -125,10 +109,7 @@ impl Sources {
         let line = self.line_index(id, offset);
         let start = self.line_start(id, line);
         let before = self.text(id).get(start..offset).unwrap_or("");
-        Location {
-            line: line + 1,
-            column: before.chars().count() + 1,
-        }
+        Location { line: line + 1, column: before.chars().count() + 1 }
     }
 
     /// Line and column at which a span starts.
@@ -139,16 +120,12 @@ impl Sources {
 
     /// Number (from 0) of the line that holds the byte.
     pub(crate) fn line_index(&self, id: SourceId, offset: usize) -> usize {
-        self.get(id).map_or(0, |s| {
-            s.lines.partition_point(|&start| start <= offset).max(1) - 1
-        })
+        self.get(id).map_or(0, |s| s.lines.partition_point(|&start| start <= offset).max(1) - 1)
     }
 
     /// Byte at which a line (from 0) starts.
     pub(crate) fn line_start(&self, id: SourceId, line: usize) -> usize {
-        self.get(id)
-            .and_then(|s| s.lines.get(line).copied())
-            .unwrap_or(0)
+        self.get(id).and_then(|s| s.lines.get(line).copied()).unwrap_or(0)
     }
 
     /// A line (from 0) without its end-of-line characters.
@@ -157,10 +134,7 @@ impl Sources {
             return "";
         };
         let start = self.line_start(id, line);
-        let end = source
-            .lines
-            .get(line + 1)
-            .map_or(source.text.len(), |&next| next - 1);
+        let end = source.lines.get(line + 1).map_or(source.text.len(), |&next| next - 1);
         let text = source.text.get(start..end).unwrap_or("");
         text.strip_suffix('\r').unwrap_or(text)
     }

@@ -1,5 +1,7 @@
 //! The TOML tree: tables in written order, every key and value with its place.
 
+use std::collections::HashMap;
+
 use crate::Span;
 
 /// A value of the tree.
@@ -47,9 +49,23 @@ pub struct Text {
 #[derive(Clone, Debug)]
 pub struct Table {
     pub(crate) entries: Vec<Entry>,
-    pub(crate) index: std::collections::HashMap<String, usize>,
+    pub(crate) index: HashMap<String, usize>,
+    pub(crate) made_by: MadeBy,
     /// The header, the braces, or the key that made it.
     pub span: Span,
+}
+
+/// How a table came about; decides which later parts of the file may add to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MadeBy {
+    /// On the way to another: `a` in `[a.b]`.
+    Passing,
+    /// `[a]`.
+    Header,
+    /// `a` in `a.b = 1`.
+    DottedKey,
+    /// `{ ... }`; closed.
+    Braces,
 }
 
 /// `key = value`.
@@ -67,11 +83,11 @@ impl Table {
     /// A table without entries.
     #[must_use]
     pub fn new(span: Span) -> Table {
-        Table {
-            entries: Vec::new(),
-            index: std::collections::HashMap::new(),
-            span,
-        }
+        Table::made(MadeBy::Header, span)
+    }
+
+    pub(crate) fn made(made_by: MadeBy, span: Span) -> Table {
+        Table { entries: Vec::new(), index: HashMap::new(), made_by, span }
     }
 
     /// The entry of a key.

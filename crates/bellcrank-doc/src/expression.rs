@@ -1,10 +1,32 @@
 //! Checked expressions: written text in, compiled arithmetic out.
 
-use crate::{Dimension, Number, ParameterSet, Span};
+mod ast;
+mod check;
+mod function;
+mod parse;
+mod program;
+mod read;
+#[cfg(test)]
+mod tests;
+mod token;
+
+use crate::{Diagnostic, Dimension, Number, ParameterSet, Span};
+
+pub(crate) use ast::{Node, NodeKind, Parsed};
+pub(crate) use check::{Known, Resolve};
+pub(crate) use function::reserved;
+pub(crate) use parse::{parse, parse_unit};
+pub(crate) use read::{Purpose, condition, constraint, parsed, response};
+pub(crate) use token::Written;
+
+use program::{Op, Program};
+
+/// Numbers beyond this mean a slip, and their products overflow.
+pub(crate) const HUGE: f64 = 1e150;
 
 /// Names of quantities that change along a run (`time`, `joint.B.position`).
 pub trait Signals {
-    /// Index and dimension of a signal; called once for each use of a name.
+    /// Index and dimension of a signal. Called for each use of a name, and again for reports.
     fn lookup(&mut self, name: &str) -> Option<(usize, Dimension)>;
     /// All names, for hints.
     fn names(&self) -> Vec<String>;
@@ -34,22 +56,39 @@ pub struct Scope<'a> {
 /// A checked, compiled expression. Evaluates to SI.
 #[derive(Clone, Debug)]
 pub struct Expression {
+    program: Program,
     dimension: Dimension,
     span: Span,
+    written: String,
 }
 
 impl Expression {
     /// A constant without text (a default); `span` is where its absence can be blamed.
     #[must_use]
     pub fn constant(value: f64, dimension: Dimension, span: Span) -> Expression {
-        todo!()
+        let program = Program { ops: vec![Op::Constant(value)] };
+        Expression { program, dimension, span, written: String::new() }
     }
 
     /// The SI value, given the values of all parameters (in the order of their set) and of all
     /// signals (by the indices given by [`Signals::lookup`]). A missing one counts as NaN. No
     /// allocation. Division by zero gives inf or NaN: the caller's check.
     pub fn eval<N: Number>(&self, parameters: &[N], signals: &[N]) -> N {
-        todo!()
+        self.program.eval(parameters, signals)
+    }
+
+    /// The SI value over parameters alone, or the report that it is not finite with these values
+    /// (or is one of a signal).
+    pub fn finite(&self, parameters: &[f64]) -> Result<f64, Diagnostic> {
+        let value: f64 = self.eval(parameters, &[]);
+        if value.is_finite() {
+            return Ok(value);
+        }
+        Err(Diagnostic::error(
+            "not-finite",
+            self.span,
+            format!("with these parameters this is {value}, not a finite number"),
+        ))
     }
 
     /// Its dimension: the one wanted by who read it, where one was.
@@ -64,28 +103,53 @@ impl Expression {
         self.span
     }
 
-    /// The text as written.
+    /// The text as written; empty for [`Expression::constant`].
     #[must_use]
     pub fn written(&self) -> &str {
-        todo!()
+        &self.written
     }
 
     /// Its value when it depends on nothing.
     #[must_use]
     pub fn as_constant(&self) -> Option<f64> {
-        todo!()
+        match self.program.ops.as_slice() {
+            [Op::Constant(value)] => Some(*value),
+            _ => None,
+        }
     }
 
     /// Indices of the parameters it uses, ascending, each once.
     #[must_use]
     pub fn parameters(&self) -> Vec<usize> {
-        todo!()
+        self.used(|op| match op {
+            Op::Parameter(i) => Some(*i as usize),
+            _ => None,
+        })
     }
 
     /// Indices of the signals it uses, ascending, each once.
     #[must_use]
     pub fn signals(&self) -> Vec<usize> {
-        todo!()
+        self.used(|op| match op {
+            Op::Signal(i) => Some(*i as usize),
+            _ => None,
+        })
+    }
+
+    /// Gives parameters other indices: `new_index[old]`.
+    pub(crate) fn renumber(&mut self, new_index: &[usize]) {
+        for op in &mut self.program.ops {
+            if let Op::Parameter(i) = op {
+                *i = new_index.get(*i as usize).map_or(*i, |&new| new as u32);
+            }
+        }
+    }
+
+    fn used(&self, index: impl Fn(&Op) -> Option<usize>) -> Vec<usize> {
+        let mut used: Vec<usize> = self.program.ops.iter().filter_map(index).collect();
+        used.sort_unstable();
+        used.dedup();
+        used
     }
 }
 
@@ -102,6 +166,20 @@ pub enum Comparison {
     GreaterOrEqual,
     /// `==`
     Equal,
+}
+
+impl Comparison {
+    /// Whether the relation holds; false with a NaN.
+    #[must_use]
+    pub fn holds(self, left: f64, right: f64) -> bool {
+        match self {
+            Comparison::Less => left < right,
+            Comparison::LessOrEqual => left <= right,
+            Comparison::Greater => left > right,
+            Comparison::GreaterOrEqual => left >= right,
+            Comparison::Equal => left == right,
+        }
+    }
 }
 
 /// A comparison of two values at one instant (`stop_when`).
