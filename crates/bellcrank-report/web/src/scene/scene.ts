@@ -1,0 +1,204 @@
+// The whole drawing of one frame.
+
+import { type Drawing, type Motion, signal, type Study, type V3 } from "../data";
+import { Camera, type V2 } from "./camera";
+import { hull } from "./hull";
+import { bodyColour, FORCE, INK, Pen, REACTION } from "./pen";
+import { Frame, places, someFrames } from "./pose";
+import { type Drawn, drawJoint, drawSupport, type Travel } from "./symbols";
+
+export interface Shown {
+  applied: boolean;
+  reactions: boolean;
+  names: boolean;
+  /** `BODY.POINT`, `*` for all moving points, or nothing. */
+  trail: string;
+}
+
+/** A named place on the canvas, for hovering. */
+export interface Spot {
+  at: V2;
+  title: string;
+  joint: string | null;
+}
+
+/** A point that moves, with its path. */
+interface Trail {
+  name: string;
+  path: V3[];
+  length: number;
+}
+
+export class Scene {
+  readonly camera: Camera;
+  readonly trails: Trail[];
+  private readonly reach: V3[];
+  private readonly travels: Travel[];
+  private readonly appliedPeak: number;
+  private readonly reactionPeak: number;
+
+  constructor(
+    readonly drawing: Drawing,
+    readonly motion: Motion,
+    private readonly study: Study,
+  ) {
+    this.camera = new Camera(drawing.planar);
+    const frames = someFrames(motion, drawing.planar, 80);
+    const all = places(drawing);
+    this.reach = frames.flatMap((frame) => all.map(([body, at]) => frame.place(body, at)));
+    this.travels = drawing.joints.map((joint) => travel(frames, joint.first, joint.second));
+    this.trails = trails(drawing, motion);
+    this.appliedPeak = peak(frames.flatMap((frame) => drawing.arrows.map((_, index) => frame.force(index))));
+    this.reactionPeak = peak(frames.flatMap((frame) => drawing.joints.map((j) => this.reaction(j.name, frame.index))));
+  }
+
+  get hasReactions(): boolean {
+    return this.reactionPeak > 0;
+  }
+
+  fit(size: V2): void {
+    if (this.reach.length > 0) this.camera.fit(this.reach, size, Math.min(56, size[0] * 0.1));
+  }
+
+  /** Draws a frame and gives the places that have a name. */
+  draw(context: CanvasRenderingContext2D, index: number, shown: Shown): Spot[] {
+    const frame = new Frame(this.motion, this.drawing.planar, index);
+    const to: Drawn = { pen: new Pen(context), camera: this.camera, frame };
+    this.drawTrails(to, shown.trail);
+    this.drawing.joints.forEach((joint) => drawSupport(to, joint));
+    this.drawBodies(to);
+    this.inDepthOrder(to).forEach((k) => drawJoint(to, this.drawing.joints[k], this.travels[k]));
+    if (shown.reactions) this.drawReactions(to);
+    if (shown.applied) this.drawApplied(to);
+    const spots = this.spots(to);
+    if (shown.names) spots.forEach((spot) => to.pen.text(spot.title, [spot.at[0] + 9, spot.at[1] - 8], INK, 12));
+    return spots;
+  }
+
+  /** What the first body puts on the second, world axes; zero where the study has no such signal. */
+  reaction(joint: string, frame: number): V3 {
+    const row = this.motion.rows[frame];
+    const component = (k: string) => signal(this.study, `joint.${joint}.reaction.${k}`)?.values[row] ?? 0;
+    return ["fx", "fy", "fz"].map((k) => component(k) || 0) as V3;
+  }
+
+  private inDepthOrder({ camera, frame }: Drawn): number[] {
+    const depth = this.drawing.joints.map((joint) => camera.depth(frame.place(...joint.second)));
+    return [...depth.keys()].sort((a, b) => depth[a] - depth[b]);
+  }
+
+  private drawTrails({ pen, camera }: Drawn, choice: string): void {
+    for (const trail of this.trails) {
+      if (choice !== "*" && choice !== trail.name) continue;
+      pen.line(trail.path.map((p) => camera.project(p)), 1.3, "#7a8794", [5, 3]);
+    }
+  }
+
+  private drawBodies(to: Drawn): void {
+    const { camera, frame } = to;
+    const bodies = this.drawing.bodies.map((body, index) => ({
+      index,
+      body,
+      seen: body.points.map(([, at]) => frame.place(index, at)),
+    }));
+    const depth = (seen: V3[]) => seen.reduce((sum, p) => sum + camera.depth(p), 0) / Math.max(1, seen.length);
+    bodies.sort((a, b) => (camera.planar ? a.index - b.index : depth(a.seen) - depth(b.seen)));
+    for (const { index, body, seen } of bodies) {
+      const points = seen.map((p) => camera.project(p));
+      const closed = body.lines.length >= 3 && points.length >= 3;
+      const colour = bodyColour(index);
+      if (closed) to.pen.polygon(hull(points), `${colour}26`, colour, 0);
+      for (const [a, b] of body.lines) if (points[a] && points[b]) to.pen.bar(points[a], points[b], index === 0 ? 1.6 : 3.4, colour);
+      if (body.center && camera.planar) centerMark(to.pen, camera.project(frame.place(index, body.center)));
+    }
+  }
+
+  private drawApplied({ pen, camera, frame }: Drawn): void {
+    this.drawing.arrows.forEach((arrow, index) => {
+      const tip = camera.project(frame.place(arrow.body, arrow.at));
+      const [dx, dy] = this.arrowLength(camera.direction(frame.force(index)), this.appliedPeak);
+      // A load is drawn pushing: its tip is where it acts.
+      pen.arrow([tip[0] - dx, tip[1] - dy], tip, FORCE);
+      pen.text(arrow.name, [tip[0] - dx + 6, tip[1] - dy + 4], FORCE);
+    });
+  }
+
+  private drawReactions({ pen, camera, frame }: Drawn): void {
+    for (const joint of this.drawing.joints) {
+      const foot = camera.project(frame.place(...joint.second));
+      const [dx, dy] = this.arrowLength(camera.direction(this.reaction(joint.name, frame.index)), this.reactionPeak);
+      pen.arrow(foot, [foot[0] + dx, foot[1] + dy], REACTION);
+    }
+  }
+
+  private arrowLength([x, y]: V2, peak: number): V2 {
+    const scale = peak > 0 ? 80 / peak : 0;
+    return [x * scale, y * scale];
+  }
+
+  private spots({ camera, frame }: Drawn): Spot[] {
+    const joints = this.drawing.joints
+      .filter((joint) => joint.kind !== "coupler")
+      .map((joint) => ({ at: camera.project(this.middle(frame, joint)), title: joint.name, joint: joint.name }));
+    const points = this.drawing.bodies.flatMap((body, index) =>
+      body.points.map(([name, at]) => ({
+        at: camera.project(frame.place(index, at)),
+        title: `${body.name}.${name}`,
+        joint: null,
+      })),
+    );
+    const free = points.filter((p) => !joints.some((j) => Math.hypot(j.at[0] - p.at[0], j.at[1] - p.at[1]) < 6));
+    return [...joints, ...free];
+  }
+
+  /** A long slider is named at its middle, so that its pins keep their names. */
+  private middle(frame: Frame, joint: Drawing["joints"][number]): V3 {
+    const [a, b] = [frame.place(...joint.first), frame.place(...joint.second)];
+    return joint.kind === "prismatic" ? [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2] : b;
+  }
+}
+
+/** The usual sign of a centre of mass. */
+function centerMark(pen: Pen, [x, y]: V2): void {
+  pen.circle([x, y], 4.5, "#fff", INK, 1);
+  const c = pen.c;
+  c.fillStyle = INK;
+  for (const from of [0, Math.PI]) {
+    c.beginPath();
+    c.moveTo(x, y);
+    c.arc(x, y, 4.5, from, from + Math.PI / 2);
+    c.fill();
+  }
+}
+
+function travel(frames: Frame[], first: [number, V3], second: [number, V3]): Travel {
+  const lengths = frames.map((frame) => {
+    const [a, b] = [frame.place(...first), frame.place(...second)];
+    return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  });
+  return { near: Math.min(...lengths), far: Math.max(...lengths) };
+}
+
+function trails(drawing: Drawing, motion: Motion): Trail[] {
+  const frames = someFrames(motion, drawing.planar, 400);
+  const all = drawing.bodies.flatMap((body, index) =>
+    body.points.map(([name, at]) => {
+      const path = frames.map((frame) => frame.place(index, at));
+      return { name: `${body.name}.${name}`, path, length: pathLength(path) };
+    }),
+  );
+  const longest = Math.max(0, ...all.map((trail) => trail.length));
+  return all.filter((trail) => trail.length > 1e-6 * longest && trail.length > 1e-12);
+}
+
+function pathLength(path: V3[]): number {
+  let length = 0;
+  for (let i = 1; i < path.length; i++) {
+    length += Math.hypot(path[i][0] - path[i - 1][0], path[i][1] - path[i - 1][1], path[i][2] - path[i - 1][2]);
+  }
+  return length;
+}
+
+function peak(forces: V3[]): number {
+  return forces.reduce((most, f) => Math.max(most, Math.hypot(...f)), 0);
+}
