@@ -5,19 +5,20 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use crate::shell::{self, Outcome, cargo, cargo_command, files, relative, root};
-use crate::sizes;
+use crate::{sizes, verify};
 
 /// What a step is called, and the step.
 type Step = (&'static str, fn() -> Outcome);
 
 /// Format, lints, documentation, sizes, examples, verification, tests.
 pub(crate) fn run(_: &[String]) -> Outcome {
-    let steps: [Step; 6] = [
+    let steps: [Step; 7] = [
         ("format", || cargo(&["fmt", "--all", "--check"])),
         ("lints", || cargo(&["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"])),
         ("documentation", documentation),
         ("sizes", || sizes::run(&[])),
         ("examples", examples),
+        ("verification", || verify::run(&[])),
         ("tests", || cargo(&["test", "--workspace"])),
     ];
     for (name, step) in steps {

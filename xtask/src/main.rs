@@ -3,10 +3,12 @@
 mod bench;
 mod bless;
 mod check;
+mod paper;
 mod shell;
 mod sizes;
 #[cfg(test)]
 mod tidy;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -17,8 +19,14 @@ struct Chore {
     run: fn(&[String]) -> shell::Outcome,
 }
 
-const CHORES: [Chore; 4] = [
+const CHORES: [Chore; 6] = [
     Chore { name: "check", about: "everything that CI does", run: check::run },
+    Chore {
+        name: "verify",
+        about: "reference numbers beside computed ones; `--page` writes the page in docs",
+        run: verify::run,
+    },
+    Chore { name: "paper", about: "write the page that compares the assist manipulator's paper", run: paper::run },
     Chore { name: "bless", about: "update snapshots and generated pages (never a reference.toml)", run: bless::run },
     Chore {
         name: "bench",

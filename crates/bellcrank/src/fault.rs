@@ -18,7 +18,7 @@ pub(crate) fn guarded(program: impl FnOnce() -> Exit + UnwindSafe) -> Exit {
 
 fn report(info: &PanicHookInfo<'_>) {
     let place = info.location().map_or_else(String::new, |at| format!(" ({}:{})", at.file(), at.line()));
-    let text = text(info.payload_as_str().unwrap_or("no message"), &place);
+    let text = text(message(info), &place);
     // `eprintln!` would panic in turn where standard error is closed.
     let mut out = std::io::stderr().lock();
     let _ = out.write_all(text.as_bytes());
@@ -26,6 +26,12 @@ fn report(info: &PanicHookInfo<'_>) {
     if trace.status() == BacktraceStatus::Captured {
         let _ = writeln!(out, "{trace}");
     }
+}
+
+fn message<'a>(info: &'a PanicHookInfo<'_>) -> &'a str {
+    let payload = info.payload();
+    let text = payload.downcast_ref::<&str>().copied();
+    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
 }
 
 fn text(message: &str, place: &str) -> String {

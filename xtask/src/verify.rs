@@ -1,0 +1,93 @@
+//! Every verification case and every shipped machine against its reference numbers.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use bellcrank_model::verify::{CaseReport, Comparison, run_case};
+
+use crate::shell::{Outcome, files, root};
+
+const PAGE: &str = "docs/validation/verification.md";
+
+/// Prints the worst number of each case and what went wrong; `--page` writes the page with all of them.
+pub(crate) fn run(arguments: &[String]) -> Outcome {
+    let reports: Vec<CaseReport> = folders().iter().map(|folder| run_case(folder)).collect();
+    reports.iter().for_each(|report| print!("{}", line(report)));
+    println!("{}", counts(&reports));
+    if arguments.iter().any(|argument| argument == "--page") {
+        std::fs::write(root().join(PAGE), page(&reports)).map_err(|error| format!("{PAGE}: {error}"))?;
+    }
+    match reports.iter().filter(|report| !report.passed()).count() {
+        0 => Ok(()),
+        failed => Err(format!("{failed} of {} cases failed", reports.len())),
+    }
+}
+
+/// Folders that hold reference numbers, cases first.
+fn folders() -> Vec<PathBuf> {
+    let cases = files(&root().join("verify/cases"), &|name| name == "reference.toml");
+    let machines = files(&root().join("models"), &|name| name == "expected.toml");
+    cases.iter().chain(&machines).filter_map(|file| file.parent().map(PathBuf::from)).collect()
+}
+
+fn line(report: &CaseReport) -> String {
+    let word = if report.passed() { "ok    " } else { "FAILED" };
+    let used = report.comparisons.iter().map(share).fold(0.0, f64::max);
+    let numbers = report.comparisons.len();
+    let mut text = format!(
+        "{word} {:<28} {:<12} {numbers:>4} numbers, worst {:>5.1} % of its tolerance\n",
+        report.name,
+        report.kind,
+        1e2 * used
+    );
+    for fault in &report.faults {
+        let _ = writeln!(text, "       {fault}");
+    }
+    for wrong in report.comparisons.iter().filter(|comparison| !comparison.passed) {
+        let _ = writeln!(text, "       {}", sentence(wrong));
+    }
+    text
+}
+
+/// Error as a share of what is allowed. No allowance and no error is none of it.
+fn share(of: &Comparison) -> f64 {
+    if of.error == 0.0 { 0.0 } else { of.error / of.allowed }
+}
+
+fn sentence(of: &Comparison) -> String {
+    let Comparison { study, what, value, reference, unit, error, allowed, .. } = of;
+    format!("{study}: {what} is {value} {unit}, reference {reference}, error {error:.1e}, allowed {allowed:.1e}")
+}
+
+/// Cases by kind of truth: a regression says "unchanged", not "right", and is counted apart.
+fn counts(reports: &[CaseReport]) -> String {
+    let mut kinds: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    for report in reports {
+        let kind = kinds.entry(&report.kind).or_default();
+        *kind = (kind.0 + 1, kind.1 + report.comparisons.len());
+    }
+    let parts = kinds.iter().map(|(kind, (cases, numbers))| format!("{kind} {cases} cases, {numbers} numbers"));
+    parts.collect::<Vec<_>>().join("; ")
+}
+
+fn page(reports: &[CaseReport]) -> String {
+    let mut text = format!(
+        "# Verification\n\nWritten by `cargo xtask verify --page`. Every case says where its truth comes from; a regression \
+         says \"unchanged\", not \"right\".\n\n{}.\n",
+        counts(reports)
+    );
+    for report in reports {
+        let _ = write!(text, "\n## {}\n\n{}: {}\n\n", report.name, report.kind, report.source);
+        text.push_str("| study | what | value | reference | unit | error | allowed |\n|---|---|---|---|---|---|---|\n");
+        report.comparisons.iter().for_each(|comparison| text.push_str(&row(comparison)));
+        report.faults.iter().for_each(|fault| text.push_str(&format!("\n{fault}\n")));
+    }
+    text
+}
+
+fn row(of: &Comparison) -> String {
+    let Comparison { study, what, value, reference, unit, error, allowed, passed } = of;
+    let word = if *passed { "" } else { " **failed**" };
+    format!("| {study} | {what} | {value} | {reference} | {unit} | {error:.1e}{word} | {allowed:.1e} |\n")
+}
