@@ -250,14 +250,14 @@ for d in range(-10, 70, 10):
 ref.fact(degrees_of_freedom=1, redundant=0, bodies=1, joints=2).write(*case("pendulum-cylinder"))
 
 # ---------------------------------------------------------------- spring and damper
-ref = Reference("analytic", "tension = k (L - L0) + c L' + preload; torque from the moments about the hinge")
+ref = Reference("analytic", "effort = preload - k (L - L0) - c L', positive pushes apart; torque from the moments about the hinge")
 for d in range(-40, 120, 20):
     th, w, al = d * deg, 2.5, -6.0
     r, c = rot2(th) @ [0.4, -0.05], rot2(th) @ [0.15, 0.03]
     p = np.array([0.1, -0.2]) + r - np.array([0.5, 0.6])
     L = np.hypot(*p)
     rate = p @ perp(r) * w / L
-    tension = 1800 * (L - 0.55) + 120 * rate + 40
+    tension = 1800 * (L - 0.55) + 120 * rate - 40
     F = -tension * p / L
     torque = (0.05 + 3 * (c @ c)) * al - cross(c, 3 * G2) - cross(r, F)
     G = 3 * (al * perp(c) - w * w * c - G2) - F

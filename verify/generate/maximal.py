@@ -588,16 +588,22 @@ class Model:
                 u = (p2 - p1) / L
                 rate = u @ (v2 - v1)
                 kk, L0 = ex(f.get("stiffness", 0)), ex(f.get("free_length", 0))
-                tension = kk * (L - L0) + ex(f.get("damping", 0)) * rate + ex(f.get("preload", 0))
+                tension = kk * (L - L0) + ex(f.get("damping", 0)) * rate - ex(f.get("preload", 0))
                 push(e1[0], p1, tension * u)
                 push(e2[0], p2, -tension * u)
                 sig[f"force.{fname}.length"], sig[f"force.{fname}.rate"] = L, rate
-                pot += 0.5 * kk * (L - L0) ** 2 + ex(f.get("preload", 0)) * (L - L0)
+                pot += 0.5 * kk * (L - L0) ** 2 - ex(f.get("preload", 0)) * (L - L0)
             elif k == "joint-spring":
                 i = self.index[f["joint"]]
                 kk, q0 = ex(f.get("stiffness", 0)), ex(f.get("free_position", 0))
                 effort[i] -= kk * (q[i] - q0) + ex(f.get("damping", 0)) * qd[i]
                 pot += 0.5 * kk * (q[i] - q0) ** 2
+            elif k == "stop":
+                i, kk, c = self.index[f["joint"]], ex(f["stiffness"]), ex(f.get("damping", 0))
+                if "max" in f and q[i] > ex(f["max"]):
+                    effort[i] -= max(0.0, kk * (q[i] - ex(f["max"])) + c * qd[i])
+                if "min" in f and q[i] < ex(f["min"]):
+                    effort[i] += max(0.0, kk * (ex(f["min"]) - q[i]) - c * qd[i])
             elif k == "friction":
                 frictions.append((f["joint"], f))
             elif k == "bushing":
