@@ -20,6 +20,13 @@ impl<'a> Finding<'a> {
         number::with_unit(&number::alone(self.column.unit.show(si)), &self.column.unit.symbol)
     }
 
+    /// Decimals that its extremes and range have in common.
+    pub(crate) fn decimals(&self) -> Option<usize> {
+        let found = &self.reductions;
+        let shown = [found.min.value, found.max.value, found.range].map(|si| self.column.unit.show(si));
+        number::shared_decimals(&shown)
+    }
+
     /// The largest magnitude, SI.
     pub(crate) fn peak(&self) -> f64 {
         self.reductions.peak().value.abs()

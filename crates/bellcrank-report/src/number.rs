@@ -64,9 +64,24 @@ fn unsigned_zero(text: String) -> String {
     }
 }
 
+/// Decimals that numbers of one row need so that each shows at least six digits of the largest.
+pub(crate) fn shared_decimals(values: &[f64]) -> Option<usize> {
+    let most = decimals(values.iter().fold(0.0, |most, v| v.abs().max(most)), DIGITS as i32)?;
+    let after_point = |value: &f64| {
+        let text = aligned(*value, Some(most));
+        trimmed(&text).split_once('.').map_or(0, |(_, decimals)| decimals.len())
+    };
+    values.iter().map(after_point).max()
+}
+
 /// A number with its unit; no space is left where there is no unit.
 pub(crate) fn with_unit(number: &str, symbol: &str) -> String {
-    if symbol.is_empty() { number.to_owned() } else { format!("{number} {symbol}") }
+    if symbol.is_empty() { number.to_owned() } else { format!("{number} {}", unit(symbol)) }
+}
+
+/// A unit as it is set in print: `mm/s²` for `mm/s^2`.
+pub(crate) fn unit(symbol: &str) -> String {
+    symbol.replace("^2", "²").replace("^3", "³").replace('*', "·")
 }
 
 /// Seconds as a reader takes them in: `0.6 ms`, `12.4 s`.
@@ -103,7 +118,7 @@ mod tests {
     #[test]
     fn six_digits_are_enough() {
         for (value, text) in [
-            (6473.606_158, "6473.61"),
+            (6_473.606_158, "6473.61"),
             (-30.000_000_000_000_004, "-30"),
             (0.0, "0"),
             (-0.0, "0"),

@@ -117,14 +117,15 @@ fn drive_table(study: &StudyResult) -> Grid {
 }
 
 fn extremes(study: &StudyResult, finding: &Finding<'_>) -> Vec<Cell> {
-    let found = &finding.reductions;
+    let (found, unit, decimals) = (&finding.reductions, &finding.column.unit, finding.decimals());
+    let show = |si: f64| number::with_unit(&number::aligned(unit.show(si), decimals), &unit.symbol);
     vec![
         Cell::left(&finding.column.name),
-        Cell::right(&finding.shown(found.min.value)),
+        Cell::right(&show(found.min.value)),
         Cell::right(&findings::whereabouts(study, found.min)),
-        Cell::right(&finding.shown(found.max.value)),
+        Cell::right(&show(found.max.value)),
         Cell::right(&findings::whereabouts(study, found.max)),
-        Cell::right(&finding.shown(found.range)),
+        Cell::right(&show(found.range)),
     ]
 }
 

@@ -102,7 +102,8 @@ fn extremes_table(study: &StudyResult) -> String {
 
 fn extremes_row(study: &StudyResult, finding: &Finding<'_>) -> String {
     let (found, unit) = (&finding.reductions, &finding.column.unit);
-    let show = |si: f64| number::typeset(&number::alone(unit.show(si)));
+    let decimals = finding.decimals();
+    let show = |si: f64| number::typeset(&number::aligned(unit.show(si), decimals));
     let at = |extreme| number::typeset_places(&findings::whereabouts(study, extreme));
     format!(
         "<tr><th scope=\"row\"><code>{}</code></th><td class=\"n\">{}</td><td class=\"n at\">{}</td>\
@@ -115,7 +116,7 @@ fn extremes_row(study: &StudyResult, finding: &Finding<'_>) -> String {
         Escaped(&at(found.max)),
         show(found.range),
         show(found.rms),
-        Escaped(&unit.symbol)
+        Escaped(&number::unit(&unit.symbol))
     )
 }
 
@@ -125,7 +126,8 @@ fn scalars(of: &[(String, f64, Unit)]) -> String {
     }
     let row = |(name, si, unit): &(String, f64, Unit)| {
         let value = number::typeset(&number::alone(unit.show(*si)));
-        let (name, symbol) = (Escaped(name), Escaped(&unit.symbol));
+        let symbol = number::unit(&unit.symbol);
+        let (name, symbol) = (Escaped(name), Escaped(&symbol));
         format!("<tr><th scope=\"row\">{name}</th><td class=\"n\">{value}</td><td>{symbol}</td></tr>\n")
     };
     let rows: String = of.iter().map(row).collect();

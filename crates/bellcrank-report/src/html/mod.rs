@@ -7,10 +7,12 @@ mod model;
 mod page;
 mod provenance;
 mod reactions;
+mod sentence;
 mod study;
 
 pub(crate) use escape::Escaped;
 pub(crate) use page::page;
+pub(crate) use sentence::sentence;
 
 use bellcrank_results::RunResult;
 

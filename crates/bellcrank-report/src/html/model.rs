@@ -9,7 +9,7 @@ pub(crate) fn section(run: &RunResult) -> String {
     format!(
         "<section id=\"model\">\n<h2>Model</h2>\n<div class=\"columns\">\n{}{}</div>\n</section>\n",
         facts(&run.facts),
-        parameters(&run.parameters, "Parameters")
+        parameters(&run.parameters)
     )
 }
 
@@ -25,13 +25,13 @@ fn facts(facts: &[(String, String)]) -> String {
 }
 
 /// A table of parameters as used, with what the file says and the bounds.
-pub(crate) fn parameters(rows: &[ParameterRow], title: &str) -> String {
+fn parameters(rows: &[ParameterRow]) -> String {
     if rows.is_empty() {
         return String::new();
     }
     let rows: String = rows.iter().map(parameter).collect();
     format!(
-        "<div class=\"scroll\"><h3>{title}</h3>\n<table class=\"parameters\">\n<thead><tr>\
+        "<div class=\"scroll\"><h3>Parameters</h3>\n<table class=\"parameters\">\n<thead><tr>\
          <th scope=\"col\">Name</th><th scope=\"col\" class=\"n\">Value</th>\
          <th scope=\"col\">Unit</th><th scope=\"col\" class=\"n\">Min</th>\
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\">As written</th>\
@@ -46,11 +46,35 @@ fn parameter(row: &ParameterRow) -> String {
          <td class=\"n\">{}</td><td><code>{}</code></td><td>{}</td></tr>\n",
         Escaped(&row.name),
         shown(row.value, &row.unit),
-        Escaped(&row.unit.symbol),
+        Escaped(&number::unit(&row.unit.symbol)),
         bound(row.bounds.0),
         bound(row.bounds.1),
         Escaped(&row.written),
         Escaped(&row.note)
+    )
+}
+
+/// The parameters that a study overrides, beside the values of the model.
+pub(crate) fn changed(rows: &[ParameterRow], model: &[ParameterRow]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let row = |row: &ParameterRow| {
+        let before = model.iter().find(|other| other.name == row.name);
+        let before = before.map_or_else(String::new, |other| shown(other.value, &row.unit));
+        format!(
+            "<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td><td class=\"n\">{before}</td><td>{}</td></tr>\n",
+            Escaped(&row.name),
+            shown(row.value, &row.unit),
+            Escaped(&number::unit(&row.unit.symbol))
+        )
+    };
+    let rows: String = rows.iter().map(row).collect();
+    format!(
+        "<div class=\"scroll\"><h3>Parameters changed in this study</h3>\n<table class=\"changed\">\n<thead><tr>\
+         <th scope=\"col\">Name</th><th scope=\"col\" class=\"n\">Here</th>\
+         <th scope=\"col\" class=\"n\">Instead of</th><th scope=\"col\">Unit</th></tr></thead>\n\
+         <tbody>\n{rows}</tbody></table></div>\n"
     )
 }
 

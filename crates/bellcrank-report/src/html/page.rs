@@ -2,7 +2,7 @@
 
 use bellcrank_results::{RunResult, StudyResult};
 
-use super::{Escaped, data, model, provenance, study};
+use super::{Escaped, data, model, provenance, sentence, study};
 use crate::{FigureFile, findings, study_folders};
 
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
@@ -107,7 +107,7 @@ fn notes(run: &RunResult, ids: &[String]) -> String {
             "<div class=\"note bad\" role=\"alert\"><b>Study <a href=\"#study-{id}\">{}</a> \
              stopped early.</b> {}</div>\n",
             Escaped(&study.name),
-            Escaped(&failure.message)
+            sentence(&failure.message)
         ))
     };
     let failures: String = run.studies.iter().zip(ids).filter_map(failure).collect();
@@ -116,6 +116,6 @@ fn notes(run: &RunResult, ids: &[String]) -> String {
 
 /// A box for each sentence.
 pub(crate) fn warnings(sentences: &[String]) -> String {
-    let note = |sentence: &String| format!("<div class=\"note caution\"><b>Warning.</b> {}</div>\n", Escaped(sentence));
+    let note = |text: &String| format!("<div class=\"note caution\"><b>Warning.</b> {}</div>\n", sentence(text));
     sentences.iter().map(note).collect()
 }

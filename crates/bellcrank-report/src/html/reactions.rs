@@ -89,7 +89,7 @@ fn component_cells(study: &StudyResult, name: &str, finding: &Finding<'_>) -> St
         Escaped(&at(found.min)),
         show(found.max.value),
         Escaped(&at(found.max)),
-        Escaped(&unit.symbol)
+        Escaped(&number::unit(&unit.symbol))
     )
 }
 

@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, glance, model, reactions};
+use super::{Escaped, glance, model, reactions, sentence};
 use crate::findings::{self, Check};
 use crate::{FigureFile, number};
 
@@ -27,7 +27,7 @@ pub(crate) fn push_section(
     page.push_str(&lead(run, study));
     page.push_str(&failure(study));
     page.push_str(&warnings(&study.warnings));
-    page.push_str(&model::parameters(&study.changed, "Parameters changed in this study"));
+    page.push_str(&model::changed(&study.changed, &run.parameters));
     page.push_str(&glance::glance(study));
     page.push_str(&mounts(run, study, place.index));
     push_figures(page, figures);
@@ -45,13 +45,19 @@ fn lead(run: &RunResult, study: &StudyResult) -> String {
         .collect();
     let over = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(", ")) };
     format!(
-        "<p class=\"lead\">{} at {}{over}. Computed from <code>{}</code>{} in {}.</p>\n",
+        "<p class=\"lead\">{} at {}{over}. Computed in {} from <code>{}</code>{}.</p>\n",
         what(&study.kind),
-        counted(study.table.rows(), "row", "rows"),
+        positions(study),
+        number::duration(study.seconds),
         Escaped(&run.provenance.file),
-        if study.changed.is_empty() { "" } else { " with the parameters changed as listed" },
-        number::duration(study.seconds)
+        if study.changed.is_empty() { "" } else { ", with the parameters below changed" }
     )
+}
+
+fn positions(study: &StudyResult) -> String {
+    let in_time = study.axis.first().is_some_and(|axis| axis == "time");
+    let (one, many) = if in_time { ("instant", "instants") } else { ("position", "positions") };
+    counted(study.table.rows(), one, many)
 }
 
 fn range_in_words(range: &str) -> String {
@@ -72,14 +78,14 @@ fn what(kind: &str) -> String {
 
 fn failure(study: &StudyResult) -> String {
     let Some(failure) = &study.failure else { return String::new() };
-    let hint = |hint: &String| format!("<li>{}</li>\n", Escaped(hint));
+    let hint = |hint: &String| format!("<li>{}</li>\n", sentence(hint));
     let hints: String = failure.hints.iter().map(hint).collect();
     let hints = if hints.is_empty() { hints } else { format!("<p>What to try:</p>\n<ul>\n{hints}</ul>\n") };
     let kept = counted(study.table.rows(), "row", "rows");
     format!(
-        "<div class=\"note bad\" role=\"alert\"><b>This study stopped before its end.</b> {} \
-         What follows shows the {kept} before that.\n{hints}</div>\n",
-        Escaped(&failure.message)
+        "<div class=\"note bad\" role=\"alert\"><b>This study stopped before its end:</b> {}\n{hints}\
+         <p>What follows shows the {kept} before that.</p></div>\n",
+        sentence(&failure.message)
     )
 }
 

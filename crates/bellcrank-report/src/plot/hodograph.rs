@@ -3,6 +3,7 @@
 use super::curve;
 use super::svg::{Anchor, Svg, px};
 use super::ticks::Ticks;
+use crate::number;
 
 /// The path of a vector's tip, display numbers.
 pub(crate) struct Hodograph<'a> {
@@ -22,14 +23,15 @@ const CROSS: &str = "stroke=\"#999\" stroke-width=\"0.9\"";
 const SPOKE: &str = "stroke=\"#e6e6e6\" stroke-width=\"0.7\"";
 const PATH: &str = "stroke=\"#0b5fa5\" stroke-width=\"1.8\" stroke-linejoin=\"round\"";
 const VECTOR: &str = "stroke=\"#c4510a\" stroke-width=\"1.2\" stroke-dasharray=\"5 3\"";
-const SMALL: &str = "font-size=\"10\" fill=\"#555\"";
+/// Small print with a white edge, readable where a line passes.
+const SMALL: &str = "font-size=\"10\" fill=\"#555\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 impl Hodograph<'_> {
     /// The picture as an SVG document.
     ///
     /// `data-ox`, `data-oy` (px) and `data-scale` (px per unit) let the report move a marker on it.
     pub(crate) fn svg(&self) -> String {
-        let rings = Ticks::new((0.0, self.reach()), 3.0, "");
+        let rings = Ticks::new((0.0, self.reach()), 4.0, "");
         let origin = (SIZE / 2.0, TITLE + SIZE / 2.0);
         let scale = (SIZE / 2.0 - EDGE - 8.0) / rings.to;
         let extra = format!(" data-ox=\"{}\" data-oy=\"{}\" data-scale=\"{scale:e}\"", px(origin.0), px(origin.1));
@@ -64,9 +66,9 @@ impl Hodograph<'_> {
         }
         let (x, y) = self.axes;
         let x_at = (SIZE - 4.0, origin.1 - 5.0);
-        svg.label(x_at, Anchor::End, SMALL, &format!("{x} / {}", self.unit));
+        svg.label(x_at, Anchor::End, SMALL, &format!("{x} / {}", number::unit(self.unit)));
         let y_at = (origin.0 - 5.0, TITLE + 10.0);
-        svg.label(y_at, Anchor::End, SMALL, &format!("{y} / {}", self.unit));
+        svg.label(y_at, Anchor::End, SMALL, &format!("{y} / {}", number::unit(self.unit)));
     }
 
     fn draw_path(&self, svg: &mut Svg, origin: (f64, f64), scale: f64) {

@@ -5,6 +5,8 @@
 //! spend the 30 ms the whole report may take. Thinning the lines to what can be seen (see `curve`)
 //! is what makes the difference in size.
 
+use crate::number;
+
 mod chart;
 mod curve;
 mod hodograph;
@@ -32,7 +34,7 @@ impl Axis {
     fn label(&self) -> String {
         match (self.name.as_str(), self.unit.as_str()) {
             (name, "") => name.to_owned(),
-            (name, unit) => format!("{name} / {unit}"),
+            (name, unit) => format!("{name} / {}", number::unit(unit)),
         }
     }
 }

@@ -10,5 +10,15 @@ export function shown(value: number | null | undefined, digits = 6): string {
 }
 
 export function withUnit(value: number, unit: string, digits = 6): string {
-  return unit ? `${shown(value, digits)} ${unit}` : shown(value, digits);
+  return unit ? `${shown(value, digits)} ${unitShown(unit)}` : shown(value, digits);
+}
+
+/** `mm/s^2` as it is set in print. */
+export function unitShown(unit: string): string {
+  return unit.replaceAll("^2", "²").replaceAll("^3", "³").replaceAll("*", "·");
+}
+
+/** A signal with its unit. */
+export function heading(name: string, unit: string): string {
+  return unit ? `${name} [${unitShown(unit)}]` : name;
 }

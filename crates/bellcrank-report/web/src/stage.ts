@@ -39,10 +39,11 @@ export class Stage {
     this.listen();
   }
 
+  /** The path of the load where there is one, else the longest. */
   private longestTrail(): string {
-    const carries = this.scene.drawing.arrows.map((arrow) => this.scene.drawing.bodies[arrow.body]?.name);
-    const loaded = this.scene.trails.filter((trail) => carries.some((body) => trail.name.startsWith(`${body}.`)));
-    const candidates = loaded.length > 0 ? loaded : this.scene.trails;
+    const loaded = this.scene.loadedPoints();
+    const chosen = this.scene.trails.filter(({ name }) => loaded.includes(name));
+    const candidates = chosen.length > 0 ? chosen : this.scene.trails;
     return candidates.reduce((best, trail) => (trail.length > best.length ? trail : best), { name: "", length: 0 }).name;
   }
 

@@ -3,6 +3,7 @@
 import type { Cursor } from "../cursor";
 import type { Study } from "../data";
 import { choice, make } from "../dom";
+import { heading } from "../format";
 import { Panel, type Shared } from "./panel";
 import { axes, presets } from "./presets";
 
@@ -14,7 +15,7 @@ export class Curves {
   constructor(mount: HTMLElement, study: Study, cursor: Cursor) {
     const across = axes(study);
     this.shared = { study, cursor, axis: across[0] ?? null, zoom: (from, range) => this.zoom(from, range) };
-    const pick = choice("Horizontal axis", across.map(({ name, unit }) => [name, unit ? `${name} [${unit}]` : name]), (name) => {
+    const pick = choice("Horizontal axis", across.map(({ name, unit }) => [name, heading(name, unit)]), (name) => {
       this.shared.axis = across.find((one) => one.name === name) ?? null;
       this.panels.forEach((panel) => panel.build());
     });

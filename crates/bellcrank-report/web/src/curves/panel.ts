@@ -4,12 +4,14 @@ import uPlot from "uplot";
 import type { Cursor } from "../cursor";
 import { type Signal, signal, type Study } from "../data";
 import { make } from "../dom";
-import { shown } from "../format";
+import { heading, shown, unitShown } from "../format";
 import { Picker } from "./picker";
 import { direction } from "./presets";
 
 const COLOURS = ["#0b5fa5", "#c4510a", "#12805c", "#8a2b78", "#1d2733", "#9a7400", "#4a90c2", "#7a3b10"];
 const DASHES: number[][] = [[], [7, 3], [2, 3], [9, 3, 2, 3], [14, 4], [5, 2, 1, 2], [1, 3], [16, 3, 3, 3]];
+/** Nearest thing to the dashes that a border can show. */
+const MARKERS = ["solid", "dashed", "dotted", "dashed", "dashed", "dotted", "dotted", "dashed"];
 const FONT = "12px system-ui, sans-serif";
 
 /** What the panels of a study share. */
@@ -52,7 +54,6 @@ export class Panel {
     if (width === 0) return;
     const signals = this.names.flatMap((name) => signal(this.shared.study, name) ?? []);
     this.plot = new uPlot(this.options(signals, width), this.columns(signals), this.plotAt);
-    this.follow(this.shared.cursor.row);
   }
 
   setRange(range: [number, number] | null): void {
@@ -66,7 +67,9 @@ export class Panel {
 
   private columns(signals: Signal[]): uPlot.AlignedData {
     const { axis, study } = this.shared;
-    const across = axis ? axis.values : Array.from({ length: study.rows }, (_, row) => row);
+    // Without the last digits of a conversion, so that the chart ends at 30 and not before it.
+    const tidy = (value: number) => Number(value.toPrecision(12));
+    const across = Array.from({ length: study.rows }, (_, row) => (axis ? tidy(axis.values[row]) : row));
     this.reversed = direction(across) < 0;
     const column = (values: ArrayLike<number>) => {
       const list = Array.from(values, (v) => (Number.isFinite(v) ? v : null));
@@ -87,11 +90,11 @@ export class Panel {
       height: Math.max(220, Math.min(300, width * 0.55)),
       scales: { x: { time: false } },
       axes: [
-        { ...base, label: axis ? heading(axis) : "row", labelSize: 22, size: 34 },
+        { ...base, label: axis ? heading(axis.name, axis.unit) : "row", labelSize: 22, size: 34 },
         ...units.slice(0, 2).map((unit, index) => ({
           ...base,
           scale: `unit:${unit}`,
-          label: unit,
+          label: unitShown(unit),
           labelSize: 18,
           side: (index === 0 ? 3 : 1) as uPlot.Axis.Side,
           grid: { ...grid, show: index === 0 },
@@ -99,9 +102,9 @@ export class Panel {
         })),
       ],
       series: [
-        { label: axis ? heading(axis) : "row", value: (_, v) => shown(v) },
+        { label: axis ? heading(axis.name, axis.unit) : "row", value: (_, v) => shown(v) },
         ...signals.map((one, index) => ({
-          label: heading(one),
+          label: heading(one.name, one.unit),
           scale: `unit:${one.unit}`,
           stroke: COLOURS[index % COLOURS.length],
           dash: DASHES[index % DASHES.length],
@@ -110,9 +113,10 @@ export class Panel {
           value: (_: uPlot, v: number | null) => shown(v),
         })),
       ],
-      cursor: { drag: { x: true, y: false }, focus: { prox: 24 } },
-      legend: { live: true },
+      cursor: { y: false, drag: { x: true, y: false } },
+      legend: { live: true, markers: { width: 2, dash: (_, index) => MARKERS[(index - 1) % MARKERS.length] } },
       hooks: {
+        ready: [() => this.follow(this.shared.cursor.row)],
         setCursor: [(plot) => this.moved(plot)],
         setScale: [(plot, key) => key === "x" && this.zoomed(plot)],
       },
@@ -134,7 +138,7 @@ export class Panel {
 
   private follow(row: number): void {
     const plot = this.plot;
-    if (!plot) return;
+    if (!plot || plot.status !== 1) return;
     const at = this.row(row);
     const left = plot.valToPos(plot.data[0][at], "x");
     this.following = true;
@@ -157,8 +161,4 @@ export class Panel {
       this.follow(this.shared.cursor.row);
     }
   }
-}
-
-function heading({ name, unit }: Signal): string {
-  return unit ? `${name} [${unit}]` : name;
 }

@@ -2,6 +2,7 @@
 
 import type { Signal } from "../data";
 import { make } from "../dom";
+import { unitShown } from "../format";
 
 export class Picker {
   readonly button: HTMLButtonElement;
@@ -49,7 +50,7 @@ export class Picker {
       else this.chosen.delete(name);
       this.change([...this.chosen]);
     });
-    return make("label", { "data-name": name.toLowerCase() }, box, make("span", {}, name), make("small", {}, unit));
+    return make("label", { "data-name": name.toLowerCase() }, box, make("span", {}, name), make("small", {}, unitShown(unit)));
   }
 
   /** Every word must occur somewhere in the name. */

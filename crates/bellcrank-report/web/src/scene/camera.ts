@@ -35,9 +35,9 @@ export class Camera {
       const along = points.map((p) => dot(row, p));
       return [Math.min(...along), Math.max(...along)];
     });
-    const radius = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
-    const wide = this.planar ? spread[0][1] - spread[0][0] : 2 * radius * 0.92;
-    const tall = this.planar ? spread[1][1] - spread[1][0] : 2 * radius * 0.92;
+    const radius = Math.max(...points.map((p) => Math.hypot(...p.map((v, k) => v - this.center[k]))));
+    const wide = this.planar ? spread[0][1] - spread[0][0] : 2 * radius;
+    const tall = this.planar ? spread[1][1] - spread[1][0] : 1.9 * radius;
     const room = (length: number, pixels: number) => Math.max(40, pixels - 2 * margin) / Math.max(length, 1e-9);
     this.fitted = Math.min(room(wide, size[0]), room(tall, size[1]), 1e7);
   }

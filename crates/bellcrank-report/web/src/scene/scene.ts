@@ -56,6 +56,15 @@ export class Scene {
     return this.reactionPeak > 0;
   }
 
+  /** Points at which a force acts. */
+  loadedPoints(): string[] {
+    return this.drawing.arrows.flatMap(({ body, at }) => {
+      const owner = this.drawing.bodies[body];
+      const here = owner?.points.find(([, p]) => Math.hypot(p[0] - at[0], p[1] - at[1], p[2] - at[2]) < 1e-9);
+      return here ? [`${owner.name}.${here[0]}`] : [];
+    });
+  }
+
   fit(size: V2): void {
     if (this.reach.length > 0) this.camera.fit(this.reach, size, Math.min(56, size[0] * 0.1));
   }
