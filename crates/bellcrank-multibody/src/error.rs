@@ -66,6 +66,9 @@ pub enum MechanismError {
         /// Drives that depend on each other.
         conflicting: Vec<Coordinate>,
     },
+    /// One of the three angles of a spherical or free joint is prescribed without the others, or out of order;
+    /// or the coordinate does not exist.
+    AttitudeAlone(Coordinate),
     /// A coordinate is driven twice.
     DrivenTwice(Coordinate),
     /// The continuation could not go on.

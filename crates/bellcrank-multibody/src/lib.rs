@@ -5,9 +5,18 @@
 //! no text, file, unit or clock: errors name entities by id.
 #![expect(non_snake_case, reason = "local names follow the notation of NOTATION.md: X_WF, p_WB, R_WF")]
 
+mod attitude;
 mod blueprint;
+mod constraint;
+mod dynamics;
 mod engine;
 mod error;
+mod forces;
+mod kinematics;
+mod mechanism;
+mod solver;
+mod topology;
+mod workspace;
 
 pub use blueprint::{
     Axes, Blueprint, Body, BodyId, Coordinate, Force, ForceId, Joint, JointId, JointKind, Place, Value,
@@ -17,3 +26,5 @@ pub use engine::{
     Reading, Redundancy, Wrench,
 };
 pub use error::{BuildError, MechanismError, System};
+pub use mechanism::Mechanism;
+pub use solver::{Machine, engine_for};

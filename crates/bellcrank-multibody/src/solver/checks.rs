@@ -1,0 +1,111 @@
+//! Trust: loop closure, and the balance of powers by a route of its own.
+//!
+//! The powers are taken body by body from weights, applied forces, inertia and drives with the velocities
+//! of the motion itself (d'Alembert), without the inward pass or the multipliers. A machine at rest is
+//! tested with the velocities that unit rates of its drives would give.
+
+use super::machine::{Machine, Stage};
+use super::system::Prescribed;
+use crate::forces::{Element, read};
+use crate::mechanism::Source;
+use crate::workspace::NodeState;
+use crate::{Checks, kinematics};
+use bellcrank_math::{Components, Space};
+
+/// A sum and the largest of its terms.
+#[derive(Default)]
+struct Sum {
+    total: f64,
+    largest: f64,
+}
+
+impl Sum {
+    fn add(&mut self, power: f64) {
+        self.total += power;
+        self.largest = self.largest.max(power.abs());
+    }
+}
+
+impl<S: Space<T = f64>> Machine<S> {
+    pub(crate) fn read_checks(&self) -> Checks {
+        Checks { closure: self.closure(), balance: self.power_balance() }
+    }
+
+    fn power_balance(&self) -> f64 {
+        self.need(Stage::Forces);
+        let moving = self.v.iter().any(|v| *v != 0.0);
+        let Some(prepared) = &self.prepared else { return f64::NAN };
+        if moving {
+            return self.balance_along(&self.v, &self.x);
+        }
+        // At rest: the velocities of unit drive rates, solved on a copy of the factors.
+        let mut system = prepared.effort.as_ref().or(prepared.rate.as_ref()).unwrap_or(&prepared.position).clone();
+        let mut v = vec![0.0; self.mech.nv];
+        let mut rhs = vec![0.0; system.rows];
+        for p in &system.prescribed {
+            match p {
+                Prescribed::Node(n) => v[self.mech.nodes[*n].v] = 1.0,
+                Prescribed::Row(row, _) => rhs[*row] = 1.0,
+            }
+        }
+        let mut product = vec![0.0; system.rows];
+        system.multiply(&self.mech, &self.rows, &v, &mut product);
+        rhs.iter_mut().zip(&product).for_each(|(r, p)| *r -= p);
+        system.solve(&rhs, &mut v);
+        let mut x = self.x.clone();
+        kinematics::velocities(&self.mech, &v, &mut x);
+        self.balance_along(&v, &x)
+    }
+
+    /// Relative residual of the virtual powers with velocities `v` and their nodes `x`.
+    fn balance_along(&self, v: &[f64], x: &[NodeState<S>]) -> f64 {
+        let mut sum = Sum::default();
+        self.add_body_powers(x, &mut sum);
+        self.add_effort_powers(v, x, &mut sum);
+        self.add_drive_powers(v, x, &mut sum);
+        if sum.largest > 0.0 { sum.total.abs() / sum.largest } else { sum.total.abs() }
+    }
+
+    fn add_body_powers(&self, virtual_x: &[NodeState<S>], sum: &mut Sum) {
+        for ((node, x), dx) in self.mech.nodes.iter().zip(&self.x).zip(virtual_x) {
+            if let Some(body) = &node.inertia {
+                let p = x.p + S::rotate(&x.R, body.center);
+                let (dv, a) = (dx.at(p).0, x.at(p).1);
+                let h = S::apply_inertia(&body.about_center, &x.R, x.w);
+                let n = S::apply_inertia(&body.about_center, &x.R, x.wd) + S::cross_angular(x.w, h);
+                sum.add(self.mech.gravity.dot(dv) * body.mass);
+                sum.add(-(a.dot(dv) * body.mass + n.dot(dx.w)));
+            }
+            sum.add(x.ext_f.dot(dx.v) + x.ext_n.dot(dx.w));
+        }
+    }
+
+    fn add_effort_powers(&self, v: &[f64], x: &[NodeState<S>], sum: &mut Sum) {
+        self.efforts.iter().zip(v).for_each(|(e, v)| sum.add(e * v));
+        for (element, e) in self.mech.elements.iter().zip(&self.friction) {
+            if let Element::Friction(f) = element {
+                sum.add(e * read(&self.mech, x, &self.q, v, f.source).1);
+            }
+        }
+    }
+
+    fn add_drive_powers(&self, v: &[f64], x: &[NodeState<S>], sum: &mut Sum) {
+        let Some(prepared) = &self.prepared else { return };
+        for (c, u) in prepared.actuation.effort.iter().zip(&self.drive) {
+            let Some(source) = self.mech.source(*c) else { continue };
+            sum.add(u * self.conjugate_rate(source, v, x));
+        }
+    }
+
+    /// The rate that an effort works on: for attitudes the spin about the first frame's axis.
+    fn conjugate_rate(&self, source: Source, v: &[f64], x: &[NodeState<S>]) -> f64 {
+        match source {
+            Source::Measured { link, measure } if measure.is_attitude() => {
+                let link = &self.mech.links[link];
+                let n = link.measure(measure, &link.pose(x)).n;
+                (x[link.ends[1].0].w - x[link.ends[0].0].w).dot(n)
+            }
+            _ => read(&self.mech, x, &self.q, v, source).1,
+        }
+    }
+}
