@@ -213,3 +213,6 @@ impl Paint {
         self.with(if primary { "31" } else { "34" }, text)
     }
 }
+
+#[cfg(test)]
+mod tests;

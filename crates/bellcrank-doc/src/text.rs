@@ -107,3 +107,6 @@ fn report_empty(sources: &Sources, id: SourceId, diagnostics: &mut Diagnostics) 
     }
     !blank
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,7 +5,10 @@
 //! and reading goes on after every fault.
 
 mod build;
+mod recover;
 mod syntax;
+#[cfg(test)]
+mod tests;
 
 use toml_parser::Source;
 use toml_parser::parser::{Event, RecursionGuard, ValidateWhitespace, parse_document};
@@ -30,11 +33,19 @@ pub fn parse(sources: &Sources, id: SourceId, diagnostics: &mut Diagnostics) -> 
     tree
 }
 
+/// The events of all pieces of the text, in order.
 fn events(source: Source<'_>, errors: &mut syntax::Errors<'_>) -> Vec<Event> {
     let tokens = source.lex().into_vec();
     let mut events: Vec<Event> = Vec::with_capacity(tokens.len());
-    let mut checked = ValidateWhitespace::new(&mut events, source);
-    let mut guarded = RecursionGuard::new(&mut checked, MAX_DEPTH);
-    parse_document(&tokens, &mut guarded, errors);
+    let end = tokens.last().copied();
+    for piece in recover::pieces(source.input(), &tokens) {
+        let whole = piece.end == tokens.len();
+        let mut piece = tokens.get(piece).unwrap_or_default().to_vec();
+        // Every piece needs an end of its own.
+        piece.extend(end.filter(|_| !whole));
+        let mut checked = ValidateWhitespace::new(&mut events, source);
+        let mut guarded = RecursionGuard::new(&mut checked, MAX_DEPTH);
+        parse_document(&piece, &mut guarded, errors);
+    }
     events
 }

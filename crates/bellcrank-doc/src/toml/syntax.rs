@@ -7,7 +7,8 @@ use crate::{Diagnostic, Diagnostics, SourceId, Span, units};
 /// Errors kept; a file with more is no model file, and memory stays bounded.
 const MAX_ERRORS: usize = 200;
 
-/// Bytes of a line that are looked at.
+/// Bytes after a value in which an error casts doubt on it; bounded, for the sake of a file that
+/// is one long line.
 const LINE_LIMIT: usize = 4096;
 
 /// The syntax errors of one text.
@@ -36,13 +37,9 @@ impl<'t> Errors<'t> {
     /// Whether one of them lies between a byte and the end of its line: what was read there may
     /// not be what was meant.
     pub(super) fn touch(&self, start: usize, end: usize) -> bool {
-        if self.all.is_empty() {
-            return false;
-        }
-        // Bounded, for the sake of a file that is one long line.
-        let ahead = self.text.as_bytes().iter().skip(end).take(LINE_LIMIT);
-        let line_end = end + ahead.take_while(|&&b| b != b'\n').count();
-        self.all.iter().filter_map(ParseError::unexpected).any(|s| start <= s.start() && s.start() <= line_end)
+        let near = |at: &usize| (start..end + LINE_LIMIT).contains(at);
+        let mut starts = self.all.iter().filter_map(ParseError::unexpected).map(|s| s.start()).filter(near);
+        starts.any(|at| at < end || !self.text.as_bytes().get(end..at).unwrap_or_default().contains(&b'\n'))
     }
 
     /// One diagnostic a line: the first error of a line is the one that explains it.
@@ -63,18 +60,19 @@ impl<'t> Errors<'t> {
     }
 
     fn diagnostic(&self, error: &ParseError, span: Span, id: SourceId) -> Diagnostic {
-        let mut message = error.description().to_owned();
-        if let Some(expected) = expected(error) {
-            message = format!("{message}; expected {expected}");
-        }
+        let said = error.description();
+        let message = match (plain_words(said), expected(error)) {
+            (Some(plain), _) => plain.to_owned(),
+            (None, Some(expected)) => format!("{said}; expected {expected}"),
+            (None, None) => said.to_owned(),
+        };
         let mut diagnostic = Diagnostic::error("syntax", span, message);
-        if let Some(opening) = error.context().filter(|c| self.line_end(c.start()) < span.start) {
+        let explains =
+            |opening: &toml_parser::Span| said.starts_with("unclosed") || self.line_end(opening.start()) < span.start;
+        if let Some(opening) = error.context().filter(explains) {
             diagnostic = diagnostic.also(self.fit(id, opening.start(), opening.end()), "it starts here");
         }
-        match self.hint(span) {
-            Some(hint) => diagnostic.hint(hint),
-            None => diagnostic,
-        }
+        if said == UNQUOTED { diagnostic.hint(self.quoting_hint(span)) } else { diagnostic }
     }
 
     /// The place of an error, moved onto character boundaries and off an end of line.
@@ -90,21 +88,35 @@ impl<'t> Errors<'t> {
     }
 
     /// The commonest slip: a value with a unit, or an expression, without its quotes.
-    fn hint(&self, span: Span) -> Option<String> {
-        let line_start = self.text.get(..span.start)?.rfind('\n').map_or(0, |i| i + 1);
-        let line = self.text.get(line_start..self.line_end(span.start))?;
-        let (_, value) = line.split_once('=')?;
-        let value = value.split('#').next()?.trim();
-        let bare = !value.is_empty() && !value.contains(['"', '\'', '[', '{', '=']);
-        if !bare || value.len() > 60 {
-            return None;
-        }
+    fn quoting_hint(&self, span: Span) -> String {
+        let value = self.text.get(span.start..span.end).unwrap_or("").trim();
         let starts_number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
-        let word = value.rsplit(|c: char| c.is_whitespace() || c.is_ascii_digit()).next().unwrap_or("");
-        let kind =
-            if starts_number && units::single(word).is_some() { "a value with a unit" } else { "a text or expression" };
-        Some(format!("{kind} stands in quotes: `\"{value}\"`"))
+        let word = value.find(|c: char| c.is_alphabetic()).and_then(|i| value.get(i..)).unwrap_or("");
+        let unit = word.split(|c: char| !c.is_alphabetic()).next().unwrap_or("");
+        let has_unit = starts_number && units::single(unit).is_some();
+        let kind = if has_unit { "a value with a unit stands" } else { "texts and expressions stand" };
+        format!("{kind} in quotes: `\"{value}\"`")
     }
+}
+
+/// What `toml_parser` says of text where a value should be.
+const UNQUOTED: &str = "string values must be quoted";
+
+/// Its sentences that a model's author would not understand, in better words.
+fn plain_words(description: &str) -> Option<&'static str> {
+    Some(match description {
+        UNQUOTED => "this is no value",
+        "invalid basic string" | "invalid literal string" => {
+            "this string is not closed on its line, or holds what it may not"
+        }
+        "missing comma between key-value pairs" => "a comma is missing, or a `}` before this",
+        "missing comma between array elements" => "a comma is missing, or a `]` before this",
+        "unclosed inline table" => "this `{` is never closed",
+        "unclosed array" => "this `[` is never closed",
+        "unquoted keys cannot be empty" => "a name is missing",
+        "cannot recurse further; max recursion depth met" => "brackets are nested too deep",
+        _ => return None,
+    })
 }
 
 fn expected(error: &ParseError) -> Option<String> {
@@ -119,7 +131,7 @@ fn expected(error: &ParseError) -> Option<String> {
 fn word(expected: &Expected) -> Option<String> {
     match expected {
         Expected::Literal("\n") => Some("the end of the line".to_owned()),
-        Expected::Literal(literal) => Some(format!("`{}`", literal.escape_debug())),
+        Expected::Literal(literal) => Some(format!("`{literal}`")),
         Expected::Description(words) => Some((*words).to_owned()),
         _ => None,
     }
