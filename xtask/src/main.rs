@@ -3,6 +3,8 @@
 mod bench;
 mod bless;
 mod check;
+#[cfg(test)]
+mod keys;
 mod paper;
 mod shell;
 mod sizes;

@@ -73,7 +73,7 @@ pub(crate) fn section(lift: &Study, massless: &Study, parameters: &[ParameterRow
         formula_2(&states),
         formula_3(&states),
         percentage(lift, massless)?,
-        stress(),
+        stress(lift)?,
         inertia(lift)?,
         inertia_forces(lift)?,
     ];

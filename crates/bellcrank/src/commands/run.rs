@@ -20,8 +20,8 @@ pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal
     let model = open(&config.model, &config.settings, shown(config.printed), console)?;
     refuse_unknown(&model, &config.studies)?;
     let out = config.out.clone().unwrap_or_else(|| default_out(&model));
-    let staging = Staging::prepare(&out)?;
     let interrupt = Interrupt::listen();
+    let staging = Staging::prepare(&out)?;
     let result = compute(&model, config, interrupt.clone())?;
     let files = staging.publish(&result)?;
     tell(&result, &out, files, config.printed, console)?;

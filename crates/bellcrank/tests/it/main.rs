@@ -1,0 +1,9 @@
+//! The command line as its users see it.
+
+mod check;
+mod interrupt;
+mod other;
+mod run;
+mod sandbox;
+mod snapshot;
+mod wrong;

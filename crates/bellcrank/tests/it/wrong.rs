@@ -1,0 +1,88 @@
+//! What goes wrong: each kind with its exit code.
+
+use serde_json::Value;
+
+use crate::sandbox::{LIFT, Sandbox, text};
+use crate::snapshot;
+
+/// Four slips in one file.
+fn slips() -> String {
+    let text = LIFT.replace("l32 = { value = \"160 mm\"", "l32 = { value = \"160 mmm\"");
+    let text = text.replace("m3  = \"20.8 kg\"", "m3  = \"20.8 kg + 2 mm\"");
+    let text = text.replace("\"link3.N\", \"link2.N\"", "\"link3.M\", \"link2.N\"");
+    text.replace("kind  = \"inverse-dynamics\"", "kind  = \"inverse-dynamic\"")
+}
+
+#[test]
+fn every_error_of_a_file_is_shown() {
+    let sandbox = Sandbox::new("wrong-slips");
+    sandbox.write("slips.toml", slips());
+    snapshot::check("wrong-slips", &sandbox, &["run", "slips.toml"]);
+    assert!(!sandbox.exists("results"), "nothing is written for a wrong file");
+}
+
+#[test]
+fn errors_as_data() {
+    let sandbox = Sandbox::new("wrong-json");
+    sandbox.write("slips.toml", slips());
+    for command in ["run", "check"] {
+        let output = sandbox.run(&[command, "slips.toml", "--json"]);
+        assert_eq!(output.status.code(), Some(1));
+        let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let diagnostics = printed["diagnostics"].as_array().unwrap();
+        assert_eq!(diagnostics.len(), 4, "{printed:#}");
+        assert!(diagnostics.iter().all(|found| found["line"].is_u64() && found["code"].is_string()), "{printed:#}");
+    }
+}
+
+#[test]
+fn files_that_are_no_models() {
+    let sandbox = Sandbox::new("wrong-files");
+    sandbox.write("empty.toml", "");
+    sandbox.write("binary.toml", [0x7f, b'E', b'L', b'F', 0, 1, 2, 3]);
+    snapshot::check("wrong-empty", &sandbox, &["run", "empty.toml"]);
+    snapshot::check("wrong-binary", &sandbox, &["run", "binary.toml"]);
+    let missing = sandbox.run(&["run", "missing.toml"]);
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(text(&missing.stderr).contains("missing.toml"));
+}
+
+#[test]
+fn command_lines() {
+    let sandbox = Sandbox::with_lift("wrong-lines");
+    snapshot::check("wrong-study", &sandbox, &["run", "lift.toml", "lif"]);
+    snapshot::check("wrong-study-kind", &sandbox, &["run", "lift.toml", "influence"]);
+    snapshot::check("wrong-set-syntax", &sandbox, &["run", "lift.toml", "--set", "l31"]);
+    snapshot::check("wrong-set-name", &sandbox, &["run", "lift.toml", "--set", "l33=700mm"]);
+    snapshot::check("wrong-set-unit", &sandbox, &["check", "lift.toml", "--set", "l31=700 deg"]);
+    snapshot::check("wrong-option", &sandbox, &["run", "lift.toml", "--jsn"]);
+    snapshot::check("wrong-nothing", &sandbox, &[]);
+    assert!(!sandbox.exists("results"), "nothing is written for a wrong command line");
+}
+
+#[test]
+fn a_directory_that_cannot_be_written() {
+    let sandbox = Sandbox::with_lift("wrong-out");
+    sandbox.write("taken", "a file");
+    snapshot::check("wrong-out", &sandbox, &["run", "lift.toml", "--out", "taken"]);
+}
+
+#[test]
+fn a_sweep_that_cannot_reach_its_end_keeps_what_it_has() {
+    let sandbox = Sandbox::new("wrong-sweep");
+    sandbox.write(
+        "lift.toml",
+        LIFT.replacen("to = \"30 deg\", points = 601", "to = \"150 deg\", points = 181", 1) + SHORT,
+    );
+    snapshot::check("wrong-sweep", &sandbox, &["run", "lift.toml", "lift", "short"]);
+    let rows = sandbox.read("results/lift/lift/series.csv").lines().count();
+    assert!((100..180).contains(&rows), "{rows} lines");
+    assert_eq!(sandbox.read("results/lift/short/series.csv").lines().count(), 4);
+    let quiet = sandbox.run(&["run", "lift.toml", "--quiet"]);
+    assert_eq!(quiet.status.code(), Some(3));
+    assert!(text(&quiet.stderr).contains("study `lift`"));
+}
+
+/// A study that gets through beside one that does not.
+const SHORT: &str =
+    "\n[studies.short]\nkind = \"kinematics\"\nsweep = { joint = \"B\", from = 0, to = \"10 deg\", points = 3 }\n";
