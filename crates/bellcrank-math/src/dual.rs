@@ -19,6 +19,10 @@ impl<const N: usize> Dual<N> {
         eps[i] = 1.0;
         Self { re, eps }
     }
+    /// A constant.
+    pub fn from_re(re: f64) -> Self {
+        Self { re, eps: [0.0; N] }
+    }
     /// Chain rule: `f(self)` given the value and the slope of `f`.
     #[inline]
     fn chain(self, re: f64, slope: f64) -> Self {

@@ -29,8 +29,8 @@ impl<S: Space> Frame<S> {
     }
     /// Place in W of a point given in F, m.
     #[inline]
-    pub fn at(&self, p_F: S::Vector) -> S::Vector {
-        self.origin + S::rotate(&self.rotation, p_F)
+    pub fn at(&self, p_f: S::Vector) -> S::Vector {
+        self.origin + S::rotate(&self.rotation, p_f)
     }
     /// From a place and a 3×3 rotation in space; the plane keeps x, y and the turn about z.
     pub fn from_spatial(position: &[S::T; 3], rotation: &[[S::T; 3]; 3]) -> Self {

@@ -16,6 +16,7 @@ pub struct Turn<T> {
 
 impl<T: Real> Space for Planar<T> {
     type T = T;
+    type With<U: Real> = Planar<U>;
     type Vector = Vector<T, 2>;
     type Angular = Vector<T, 1>;
     type Rotation = Turn<T>;

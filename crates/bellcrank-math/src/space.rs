@@ -39,6 +39,8 @@ impl<T: Real, const N: usize> Components<T> for crate::Vector<T, N> {
 pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     /// Scalar.
     type T: Real;
+    /// The same space over another scalar.
+    type With<U: Real>: Space<T = U>;
     /// Places, velocities, forces: 2 or 3 components.
     type Vector: Components<Self::T>;
     /// Angular velocities, moments: 1 or 3 components.

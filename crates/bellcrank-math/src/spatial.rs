@@ -38,6 +38,7 @@ fn cross<T: Real>(a: Vector<T, 3>, b: Vector<T, 3>) -> Vector<T, 3> {
 
 impl<T: Real> Space for Spatial<T> {
     type T = T;
+    type With<U: Real> = Spatial<U>;
     type Vector = Vector<T, 3>;
     type Angular = Vector<T, 3>;
     type Rotation = Matrix3<T>;

@@ -48,6 +48,18 @@ pub fn eigenvalues(a: &[Vec<f64>]) -> Vec<(f64, f64)> {
     matrix.complex_eigenvalues().iter().map(|z| (z.re, z.im)).collect()
 }
 
+/// Eigenvalues and eigenvectors of a symmetric matrix.
+pub fn symmetric_eigen(a: &[Vec<f64>]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+    let n = a.len();
+    if a.iter().flatten().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let matrix = DMatrix::from_fn(n, n, |i, j| a[i][j]);
+    let eigen = nalgebra::SymmetricEigen::try_new(matrix, f64::EPSILON, 10_000)?;
+    let vectors = (0..n).map(|k| eigen.eigenvectors.column(k).iter().copied().collect()).collect();
+    Some((eigen.eigenvalues.iter().copied().collect(), vectors))
+}
+
 /// Solves the square system `a x = b`; `None` when singular.
 pub fn solve(a: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
     let n = b.len();

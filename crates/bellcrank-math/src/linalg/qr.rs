@@ -15,14 +15,13 @@ pub struct Qr {
     order: Vec<usize>,
     norms: Vec<f64>,
     rank: usize,
-    work: Vec<f64>,
 }
 
 impl Qr {
     /// Room for `m` rows and `n` columns.
     pub fn new(m: usize, n: usize) -> Self {
         let (a, order) = (vec![0.0; m * n], (0..n).collect());
-        Self { m, n, a, diagonal: vec![0.0; n], order, norms: vec![0.0; n], rank: 0, work: vec![0.0; m.max(n)] }
+        Self { m, n, a, diagonal: vec![0.0; n], order, norms: vec![0.0; n], rank: 0 }
     }
     /// Rows and columns.
     pub fn shape(&self) -> (usize, usize) {

@@ -63,7 +63,7 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) drive: Vec<f64>,
     /// Wrench of each joint on its second body at P₂: N, N·m.
     pub(crate) wrench: Vec<(S::Vector, S::Angular)>,
-    pub(crate) scratch: Scratch<S>,
+    pub(crate) scratch: Scratch,
     /// Turns already made by measured angles, so that they do not jump at ±180°.
     pub(crate) unwrapped: Vec<Vec<f64>>,
     pub(crate) has_friction: bool,
@@ -71,14 +71,12 @@ pub struct Machine<S: Space<T = f64>> {
 
 /// Buffers of the inner steps.
 #[derive(Debug)]
-pub(crate) struct Scratch<S: Space> {
+pub(crate) struct Scratch {
     pub(crate) rhs: Vec<f64>,
     pub(crate) delta: Vec<f64>,
     pub(crate) product: Vec<f64>,
     pub(crate) predicted: Vec<f64>,
     pub(crate) saved: Vec<f64>,
-    pub(crate) nodes: Vec<NodeState<S>>,
-    pub(crate) normal: Vec<f64>,
 }
 
 impl<S: Space<T = f64>> Machine<S> {
@@ -112,8 +110,6 @@ impl<S: Space<T = f64>> Machine<S> {
                 product: vec![0.0; most],
                 predicted: vec![0.0; mech.nq],
                 saved: vec![0.0; mech.nq],
-                nodes: vec![NodeState::default(); mech.nodes.len()],
-                normal: vec![0.0; mech.elements.len()],
             },
             unwrapped: mech.sources.iter().map(|s| vec![0.0; s.len()]).collect(),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),

@@ -1,0 +1,7 @@
+//! The engine against theory: closed forms, and identities on random mechanisms.
+
+#![expect(unreachable_pub, reason = "a test binary has no outside")]
+
+mod build;
+mod lift;
+mod statics;
