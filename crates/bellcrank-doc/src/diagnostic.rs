@@ -119,10 +119,24 @@ pub struct Finding {
     pub hints: Vec<String>,
 }
 
+/// Diagnostics that are kept; beyond, they are only counted. Nobody reads a thousand.
+const KEPT: usize = 1000;
+
 /// Diagnostics collected on the way.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Diagnostics {
     all: Vec<Diagnostic>,
+    /// Free places in `all`.
+    room: usize,
+    /// Those that were not kept.
+    more_errors: usize,
+    more_warnings: usize,
+}
+
+impl Default for Diagnostics {
+    fn default() -> Diagnostics {
+        Diagnostics { all: Vec::new(), room: KEPT, more_errors: 0, more_warnings: 0 }
+    }
 }
 
 impl Diagnostics {
@@ -132,14 +146,34 @@ impl Diagnostics {
         Diagnostics::default()
     }
 
+    /// None yet, with as much room as is left in `self`, to be appended to it.
+    pub(crate) fn branch(&self) -> Diagnostics {
+        Diagnostics { room: self.room, ..Diagnostics::default() }
+    }
+
+    /// Whether further ones are only counted: no work should be put into them.
+    pub(crate) fn is_full(&self) -> bool {
+        self.room == 0
+    }
+
     /// Adds one.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.all.push(diagnostic);
+        if let Some(room) = self.room.checked_sub(1) {
+            self.room = room;
+            self.all.push(diagnostic);
+            return;
+        }
+        match diagnostic.severity {
+            Severity::Error => self.more_errors += 1,
+            Severity::Warning => self.more_warnings += 1,
+        }
     }
 
     /// Takes over all of `other`.
     pub fn append(&mut self, other: Diagnostics) {
-        self.all.extend(other.all);
+        other.all.into_iter().for_each(|d| self.push(d));
+        self.more_errors += other.more_errors;
+        self.more_warnings += other.more_warnings;
     }
 
     /// Whether one of them is an error.
@@ -151,18 +185,18 @@ impl Diagnostics {
     /// Number of errors.
     #[must_use]
     pub fn errors(&self) -> usize {
-        self.all.iter().filter(|d| d.severity == Severity::Error).count()
+        self.all.iter().filter(|d| d.severity == Severity::Error).count() + self.more_errors
     }
 
-    /// All, in the order they stand in.
+    /// All that were kept (1000), in the order they stand in.
     pub fn iter(&self) -> impl Iterator<Item = &Diagnostic> {
         self.all.iter()
     }
 
-    /// How many.
+    /// How many, those that were only counted among them.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.all.len()
+        self.all.len() + self.more_errors + self.more_warnings
     }
 
     /// Whether there are none.
@@ -195,7 +229,9 @@ impl IntoIterator for Diagnostics {
 
 impl FromIterator<Diagnostic> for Diagnostics {
     fn from_iter<I: IntoIterator<Item = Diagnostic>>(all: I) -> Diagnostics {
-        Diagnostics { all: all.into_iter().collect() }
+        let mut diagnostics = Diagnostics::new();
+        all.into_iter().for_each(|d| diagnostics.push(d));
+        diagnostics
     }
 }
 

@@ -163,3 +163,39 @@ impl Div for Dimension {
         self.over(other).unwrap_or(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Dimension as D;
+
+    #[test]
+    fn angle_counts_only_where_nothing_else_tells() {
+        let agree = [
+            (D::MOMENT, D::TORSIONAL_STIFFNESS),
+            (D::INERTIA * D::ANGULAR_ACCELERATION, D::MOMENT),
+            (D::LENGTH * D::ANGLE, D::LENGTH),
+            (D::LENGTH * D::ANGULAR_VELOCITY, D::VELOCITY),
+        ];
+        let differ = [
+            (D::ANGLE, D::NONE),
+            (D::FREQUENCY, D::ANGULAR_VELOCITY),
+            (D::LENGTH, D::ANGLE),
+            (D::FORCE, D::MOMENT),
+            (D::ANGULAR_ACCELERATION, D::ANGULAR_VELOCITY),
+        ];
+        assert!(agree.iter().all(|&(a, b)| a.agrees(b) && b.agrees(a)));
+        assert!(differ.iter().all(|&(a, b)| !a.agrees(b) && !b.agrees(a)));
+    }
+
+    #[test]
+    fn powers_and_words() {
+        assert_eq!(D::AREA.power(0.5), Some(D::LENGTH));
+        assert_eq!(D::VOLUME.power(1.0 / 3.0), Some(D::LENGTH));
+        assert_eq!(D::LENGTH.power(0.001), None);
+        assert_eq!(D::LENGTH.power(200.0), None);
+        assert_eq!(D::ANGLE.phrase(), "an angle");
+        assert_eq!((D::MASS * D::LENGTH).phrase(), "a value in kg*m");
+        assert_eq!((D::MASS / D::LENGTH / D::ANGLE).unit(), "kg/(m*rad)");
+        assert_eq!(D::LENGTH.power(0.5).map(D::unit), Some("m^0.5".to_owned()));
+    }
+}

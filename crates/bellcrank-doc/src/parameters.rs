@@ -143,7 +143,7 @@ impl ParameterSet {
         let what = format!("`{}`", one.name);
         let purpose = Purpose { what: &what, dimension: Some(parameter.dimension) };
         let mut scope = Scope { parameters: before, signals: &mut NoSignals };
-        let mut own = Diagnostics::new();
+        let mut own = diagnostics.branch();
         if let Some(expression) = one.written.value(purpose, &mut scope, &mut own) {
             parameter.written = expression.written().to_owned();
             parameter.expression = expression;

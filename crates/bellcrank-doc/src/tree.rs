@@ -49,7 +49,8 @@ pub struct Text {
 #[derive(Clone, Debug)]
 pub struct Table {
     pub(crate) entries: Vec<Entry>,
-    pub(crate) index: HashMap<String, usize>,
+    /// Places of the keys in `entries`, once there are enough of them to need it.
+    index: HashMap<String, usize>,
     pub(crate) made_by: MadeBy,
     /// The header, the braces, or the key that made it.
     pub span: Span,
@@ -93,7 +94,7 @@ impl Table {
     /// The entry of a key.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Entry> {
-        self.index.get(key).and_then(|&i| self.entries.get(i))
+        self.position(key).and_then(|i| self.entries.get(i))
     }
 
     /// Entries in written order.
@@ -114,15 +115,36 @@ impl Table {
     }
 
     pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Entry> {
-        self.index.get(key).and_then(|&i| self.entries.get_mut(i))
+        self.position(key).and_then(|i| self.entries.get_mut(i))
     }
 
     /// Adds an entry; the key must be new.
     pub(crate) fn insert(&mut self, entry: Entry) {
-        self.index.insert(entry.key.clone(), self.entries.len());
+        if self.entries.is_empty() {
+            // Most tables of a hostile file hold one entry; four places for each would be gigabytes.
+            self.entries.reserve_exact(1);
+        }
         self.entries.push(entry);
+        let first = match self.entries.len() {
+            0..INDEXED => return,
+            INDEXED => 0,
+            more => more - 1,
+        };
+        for (i, entry) in self.entries.iter().enumerate().skip(first) {
+            self.index.insert(entry.key.clone(), i);
+        }
+    }
+
+    fn position(&self, key: &str) -> Option<usize> {
+        if self.entries.len() < INDEXED {
+            return self.entries.iter().position(|e| e.key == key);
+        }
+        self.index.get(key).copied()
     }
 }
+
+/// Tables of this many entries are found by hash; most are smaller, and searched.
+const INDEXED: usize = 16;
 
 impl Value {
     /// What it is, as `a string`.

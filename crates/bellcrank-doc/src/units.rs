@@ -20,13 +20,26 @@ impl Unit {
     /// A value in this unit, in SI.
     #[must_use]
     pub fn to_si(self, value: f64) -> f64 {
-        value * self.factor + self.offset
+        let scaled = match self.divisor() {
+            Some(divisor) => value / divisor,
+            None => value * self.factor,
+        };
+        scaled + self.offset
     }
 
     /// An SI value in this unit.
     #[must_use]
     pub fn from_si(self, si: f64) -> f64 {
-        (si - self.offset) / self.factor
+        match self.divisor() {
+            Some(divisor) => (si - self.offset) * divisor,
+            None => (si - self.offset) / self.factor,
+        }
+    }
+
+    /// 1000 for mm: 0.001 has no exact binary form, but 732/1000 rounds to 0.732 as one expects.
+    fn divisor(self) -> Option<f64> {
+        let divisor = (1.0 / self.factor).round();
+        (self.factor < 1.0 && 1.0 / divisor == self.factor).then_some(divisor)
     }
 }
 

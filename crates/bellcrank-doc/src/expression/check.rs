@@ -157,6 +157,9 @@ impl<'r> Checker<'r> {
     }
 
     fn unknown(&self, name: &str, span: Span) -> Diagnostic {
+        if self.diagnostics.is_full() {
+            return Diagnostic::error("unknown-name", span, "unknown name");
+        }
         if !self.names.has_signals() && (name == "time" || name.contains('.')) {
             let message = format!("`{name}` changes along a run and cannot be used here");
             return Diagnostic::error("unknown-name", span, message).hint("only parameters can be used here");

@@ -6,6 +6,9 @@ use super::token::Written;
 use super::{Comparison, Condition, Constraint, Expression, Reduction, Response, Scope, parse};
 use crate::{Diagnostic, Diagnostics, Dimension};
 
+/// Parameters that are looked through for a hint.
+const HINTED: usize = 2000;
+
 /// What a value is for.
 #[derive(Clone, Copy)]
 pub(crate) struct Purpose<'a> {
@@ -28,7 +31,7 @@ impl Resolve for Scope<'_> {
     }
 
     fn names(&self) -> Vec<String> {
-        let parameters = self.parameters.all().iter().map(|p| p.name.clone());
+        let parameters = self.parameters.all().iter().take(HINTED).map(|p| p.name.clone());
         parameters.chain(self.signals.names()).collect()
     }
 

@@ -224,7 +224,7 @@ impl<'p> Reader<'p> {
 
     /// Runs a reading with diagnostics of its own, so that callbacks into `signals` may report too.
     fn collect<T>(&self, read: impl FnOnce(&mut Diagnostics) -> Option<T>) -> Option<T> {
-        let mut own = Diagnostics::new();
+        let mut own = self.diagnostics.borrow().branch();
         let result = read(&mut own);
         self.diagnostics.borrow_mut().append(own);
         result

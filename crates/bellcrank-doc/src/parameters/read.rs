@@ -9,6 +9,9 @@ use crate::{
     Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Scope, Table, Value, ValueKind, nearest,
 };
 
+/// Names that are looked through for a hint.
+const HINTED: usize = 2000;
+
 const KEYS: [&str; 5] = ["value", "min", "max", "note", "tolerance"];
 
 /// A definition before names are looked up.
@@ -101,7 +104,7 @@ impl Resolve for Stage<'_, '_> {
     }
 
     fn names(&self) -> Vec<String> {
-        self.drafts.iter().map(|d| d.entry.key.clone()).collect()
+        self.drafts.iter().take(HINTED).map(|d| d.entry.key.clone()).collect()
     }
 
     fn has_signals(&self) -> bool {

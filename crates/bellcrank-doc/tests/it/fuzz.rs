@@ -86,7 +86,7 @@ fn check(diagnostics: &Diagnostics, sources: &Sources) {
     }
     let shown = diagnostics.render(sources, false);
     assert!(!shown.contains('\x1b') && !shown.contains('\r'));
-    assert_eq!(diagnostics.findings(sources).len(), diagnostics.len());
+    assert!(diagnostics.findings(sources).len() <= diagnostics.len());
 }
 
 /// What files and expressions are made of, and what they are not.
