@@ -7,21 +7,35 @@ use std::path::Path;
 use std::time::Instant;
 
 use bellcrank_report::{ReportError, Style, render_html, terminal_summary, write_report};
-use bellcrank_results::{RunResult, study_summary, write_csv};
+use bellcrank_results::{Column, RunResult, study_summary, write_csv};
 
 #[path = "../tests/it/sample/mod.rs"]
 mod sample;
 
 fn main() -> Result<(), ReportError> {
     let dir = std::env::args().nth(1).unwrap_or_else(|| "results/samples".to_owned());
-    let runs = [sample::lift::run(), sample::lift::troubled(), sample::stewart::run()];
-    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart"]) {
+    let runs = [sample::lift::run(), sample::lift::troubled(), sample::stewart::run(), wide()];
+    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide"]) {
         print!("{}", terminal_summary(run, &Style { color: false, width: 100 }));
         let columns = run.studies.first().map_or(0, |study| study.table.columns.len());
         println!("\n{name}: {columns} columns");
         timings(run, &Path::new(&dir).join(name))?;
     }
     Ok(())
+}
+
+/// The lift with 200 columns of which none is constant.
+fn wide() -> RunResult {
+    let mut run = sample::lift::run();
+    for study in &mut run.studies {
+        study.table.columns.retain(|column| column.values.first() != column.values.last());
+        let given = study.table.columns.clone();
+        let more = (0..)
+            .zip(given.iter().cycle())
+            .map(|(index, column)| Column { name: format!("extra.{index}"), ..column.clone() });
+        study.table.columns.extend(more.take(200 - given.len()));
+    }
+    run
 }
 
 /// Best of twenty, ms.

@@ -28,7 +28,7 @@ pub(crate) fn push(page: &mut String, run: &RunResult) {
     page.push_str("</script>\n");
     for (index, blob) in blobs.iter().enumerate() {
         page.push_str(&format!("<script type=\"text/plain\" id=\"bellcrank-blob-{index}\">"));
-        base64::push(page, blob.bytes());
+        page.push_str(&String::from_utf8_lossy(&base64::encoded(blob.bytes())));
         page.push_str("</script>\n");
     }
 }

@@ -80,7 +80,7 @@ fn stroke_card(finding: &Finding<'_>) -> Card {
 fn axis_and_place(study: &StudyResult, extreme: Extreme) -> String {
     let place = findings::whereabouts(study, extreme);
     match study.axis.as_slice() {
-        [axis] => format!("{axis} = {place}"),
+        [axis] if study.table.column(axis).is_some() => format!("{axis} = {place}"),
         _ => place,
     }
 }

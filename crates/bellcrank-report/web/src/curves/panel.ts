@@ -109,6 +109,7 @@ export class Panel {
           stroke: COLOURS[index % COLOURS.length],
           dash: DASHES[index % DASHES.length],
           width: 1.8,
+          pxAlign: 0,
           points: { show: false },
           value: (_: uPlot, v: number | null) => shown(v),
         })),
@@ -126,7 +127,10 @@ export class Panel {
   /** The reader points at the chart: everything goes to that row. */
   private moved(plot: uPlot): void {
     const at = plot.cursor.idx;
-    if (this.following || at === null || at === undefined || !plot.cursor.event) return;
+    if (this.following || plot.status !== 1) return;
+    // The pointer has left: back to the row that is shown.
+    if (at === null || at === undefined) return this.follow(this.shared.cursor.row);
+    if (!plot.cursor.event) return;
     this.shared.cursor.set(this.row(at), this);
   }
 

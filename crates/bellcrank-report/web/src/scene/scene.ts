@@ -149,6 +149,8 @@ export class Scene {
     const joints = this.drawing.joints
       .filter((joint) => joint.kind !== "coupler")
       .map((joint) => ({ at: camera.project(this.middle(frame, joint)), title: joint.name, joint: joint.name }));
+    // In space, names of all points would hide the drawing.
+    if (!camera.planar) return joints;
     const points = this.drawing.bodies.flatMap((body, index) =>
       body.points.map(([name, at]) => ({
         at: camera.project(frame.place(index, at)),

@@ -1,0 +1,9 @@
+//! The report as its readers get it: page, files and terminal text of made-up runs.
+
+#![allow(missing_docs, unreachable_pub, reason = "helpers of a test binary")]
+
+mod files;
+mod html;
+mod markup;
+mod sample;
+mod terminal;
