@@ -14,6 +14,9 @@ pub fn study_summary(study: &StudyResult) -> Value {
     object.insert("seconds".to_owned(), json!(study.seconds));
     object.insert("warnings".to_owned(), json!(study.warnings));
     object.insert("effort".to_owned(), effort(&study.effort));
+    if !study.changed.is_empty() {
+        object.insert("set".to_owned(), parameters(&study.changed));
+    }
     object.insert("axis".to_owned(), study.axis.iter().map(|name| axis(study, name)).collect());
     object.insert("signals".to_owned(), signals(study));
     object.insert("scalars".to_owned(), scalars(&study.scalars));
