@@ -4,4 +4,5 @@
 
 mod build;
 mod lift;
+mod random;
 mod statics;
