@@ -1,6 +1,7 @@
 //! The command line as its users see it.
 
 mod check;
+mod documents;
 mod interrupt;
 mod other;
 mod run;
