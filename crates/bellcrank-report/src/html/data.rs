@@ -6,11 +6,16 @@
 
 mod base64;
 mod blob;
+mod thinning;
 
-use bellcrank_results::{Animation, Arrow, Column, Drawing, DrawnBody, DrawnJoint, RunResult, SpaceKind, StudyResult};
+use bellcrank_results::{
+    Animation, Arrow, Column, Drawing, DrawnBody, DrawnJoint, Pose, RunResult, SpaceKind, StudyResult,
+};
 use serde_json::{Value, json};
 
 use blob::Blob;
+use thinning::kept_frames;
+pub(crate) use thinning::kept_rows;
 
 pub(crate) fn push(page: &mut String, run: &RunResult) {
     let planar = matches!(run.drawing.space, SpaceKind::Planar);
@@ -34,56 +39,65 @@ pub(crate) fn push(page: &mut String, run: &RunResult) {
 }
 
 fn described(study: &StudyResult, planar: bool, blob: &mut Blob) -> Value {
-    let columns: Vec<Value> = study.table.columns.iter().map(|column| packed(column, study, blob)).collect();
+    let rows = kept_rows(study);
+    let columns: Vec<Value> =
+        study.table.columns.iter().map(|column| packed(column, &rows, &study.axis, blob)).collect();
     json!({
         "name": study.name,
         "axis": study.axis,
-        "rows": study.table.rows(),
+        "rows": rows.len(),
         "columns": columns,
-        "animation": study.animation.as_ref().map(|animation| moves(animation, planar, blob)),
+        "animation": study.animation.as_ref().map(|animation| moves(animation, &rows, planar, blob)),
     })
 }
 
 /// A column that never changes is one number; axes keep double precision (long times need it).
-fn packed(column: &Column, study: &StudyResult, blob: &mut Blob) -> Value {
+fn packed(column: &Column, rows: &[usize], axes: &[String], blob: &mut Blob) -> Value {
     let (name, unit) = (&column.name, &column.unit);
-    let constant = column.values.first().filter(|first| column.values.iter().all(|v| v == *first));
-    if let Some(&si) = constant {
-        return json!({ "name": name, "unit": unit.symbol, "constant": unit.show(si) });
+    let shown = rows.iter().map(|row| unit.show(column.values.get(*row).copied().unwrap_or(f64::NAN)));
+    let constant = shown.clone().next().filter(|first| shown.clone().all(|value| value == *first));
+    if let Some(constant) = constant {
+        return json!({ "name": name, "unit": unit.symbol, "constant": constant });
     }
-    let shown = column.values.iter().map(|si| unit.show(*si));
-    if study.axis.contains(name) {
-        let at = blob.push_doubles(shown);
-        json!({ "name": name, "unit": unit.symbol, "at": at, "double": true })
+    if axes.contains(name) {
+        json!({ "name": name, "unit": unit.symbol, "at": blob.push_doubles(shown), "double": true })
     } else {
-        let at = blob.push_floats(shown);
-        json!({ "name": name, "unit": unit.symbol, "at": at })
+        json!({ "name": name, "unit": unit.symbol, "at": blob.push_floats(shown) })
     }
 }
 
-/// Poses as x, y, angle in the plane, as x, y, z and quaternion w, x, y, z in space; then arrows
-/// as three components.
-fn moves(animation: &Animation, planar: bool, blob: &mut Blob) -> Value {
-    let poses = animation.frames.iter().flatten();
-    let poses_at = if planar {
-        blob.push_floats(poses.flat_map(|pose| {
-            let [w, _, _, z] = pose.quaternion;
-            [pose.position[0], pose.position[1], 2.0 * z.atan2(w)]
-        }))
-    } else {
-        blob.push_floats(poses.flat_map(|pose| {
-            let ([x, y, z], [qw, qx, qy, qz]) = (pose.position, pose.quaternion);
-            [x, y, z, qw, qx, qy, qz]
-        }))
-    };
-    let arrows_at = blob.push_floats(animation.arrows.iter().flatten().flatten().copied());
+/// The frames: to which of the page's rows each belongs, poses, and arrows as three components.
+fn moves(animation: &Animation, rows: &[usize], planar: bool, blob: &mut Blob) -> Value {
+    let kept = kept_frames(animation);
+    let frames = kept.iter().filter_map(|frame| animation.frames.get(*frame));
+    let arrows = kept.iter().filter_map(|frame| animation.arrows.get(*frame));
+    let row_of = |frame: &usize| animation.rows.get(*frame).map(|row| place_among(rows, *row));
     json!({
-        "rows": animation.rows,
+        "rows": kept.iter().filter_map(row_of).collect::<Vec<_>>(),
         "bodies": animation.frames.first().map_or(0, Vec::len),
         "arrows": animation.arrows.first().map_or(0, Vec::len),
-        "posesAt": poses_at,
-        "arrowsAt": arrows_at,
+        "posesAt": push_poses(frames.flatten(), planar, blob),
+        "arrowsAt": blob.push_floats(arrows.flatten().flatten().copied()),
     })
+}
+
+/// Index of the kept row that `row` is, or comes before.
+fn place_among(rows: &[usize], row: usize) -> usize {
+    rows.partition_point(|kept| *kept < row).min(rows.len().saturating_sub(1))
+}
+
+/// Poses as x, y, angle in the plane, as x, y, z and quaternion w, x, y, z in space.
+fn push_poses<'a>(poses: impl Iterator<Item = &'a Pose>, planar: bool, blob: &mut Blob) -> usize {
+    if planar {
+        return blob.push_floats(poses.flat_map(|pose| {
+            let [w, _, _, z] = pose.quaternion;
+            [pose.position[0], pose.position[1], 2.0 * z.atan2(w)]
+        }));
+    }
+    blob.push_floats(poses.flat_map(|pose| {
+        let ([x, y, z], [qw, qx, qy, qz]) = (pose.position, pose.quaternion);
+        [x, y, z, qw, qx, qy, qz]
+    }))
 }
 
 fn drawing(drawing: &Drawing) -> Value {

@@ -19,14 +19,15 @@ pub(crate) fn table(study: &StudyResult) -> String {
         "<h3>Joint reactions</h3>\n<p class=\"hint\">What the first body of a joint puts on the \
          second, at the joint's point, along the world axes; <em>force</em> and <em>moment</em> \
          are magnitudes. Places are values of <code>{}</code>. Components that are zero \
-         throughout are left out.{}</p>\n<div class=\"scroll\"><table class=\"reactions\">\n\
+         throughout are left out.{}{}</p>\n<div class=\"scroll\"><table class=\"reactions\">\n\
          <thead><tr><th scope=\"col\">Joint</th><th scope=\"col\"></th>\
          <th scope=\"col\" class=\"n\">Min</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\">Unit</th><th scope=\"col\">Determined</th></tr></thead>\n\
          {bodies}</table></div>\n",
         Escaped(&names),
-        uniqueness_hint(study)
+        uniqueness_hint(study),
+        omitted(study)
     )
 }
 
@@ -41,15 +42,24 @@ fn uniqueness_hint(study: &StudyResult) -> &'static str {
     }
 }
 
-/// Joints that have reactions: those listed first, then those that only the table knows.
+/// Joints of the table: a page of more is read by nobody, and the series file has them all.
+const MOST_JOINTS: usize = 150;
+
+/// Joints that have reactions, in the order of the study; of very many, the strongest.
 fn joints(study: &StudyResult) -> Vec<&str> {
-    let mut names: Vec<&str> = study.reactions.iter().map(|r| r.joint.as_str()).collect();
-    for (joint, _) in findings::family(study, "joint", "reaction.force") {
-        if !names.contains(&joint) {
-            names.push(joint);
-        }
+    let mut found = findings::strongest(study);
+    found.truncate(MOST_JOINTS);
+    let place = |joint: &str| study.reactions.iter().position(|reaction| reaction.joint == joint);
+    found.sort_by_cached_key(|(joint, _)| place(joint).unwrap_or(usize::MAX));
+    found.into_iter().map(|(joint, _)| joint).collect()
+}
+
+/// Says so where the table does not hold all joints.
+fn omitted(study: &StudyResult) -> String {
+    match findings::strongest(study).len() {
+        all if all > MOST_JOINTS => format!(" Shown are the {MOST_JOINTS} most loaded of {all} joints."),
+        _ => String::new(),
     }
-    names
 }
 
 fn joint_rows(study: &StudyResult, joint: &str) -> String {

@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, glance, model, reactions, sentence};
+use super::{Escaped, data, glance, model, reactions, sentence};
 use crate::findings::{self, Check};
 use crate::{FigureFile, number};
 
@@ -103,9 +103,22 @@ fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
     } else {
         String::new()
     };
+    let thinned = thinned(study);
     format!(
         "{stage}<h3 class=\"needs-script no-print\">Curves</h3>\n\
-         <div class=\"curves needs-script no-print\" data-curves=\"{index}\"></div>\n"
+         <div class=\"curves needs-script no-print\" data-curves=\"{index}\"></div>\n{thinned}"
+    )
+}
+
+/// Says so where the page holds fewer rows than the study.
+fn thinned(study: &StudyResult) -> String {
+    let (kept, all) = (data::kept_rows(study).len(), study.table.rows());
+    if kept == all {
+        return String::new();
+    }
+    format!(
+        "<p class=\"hint\">Drawing and interactive curves show {kept} of the {all} rows; tables, pictures \
+         and the series file are of all.</p>\n"
     )
 }
 

@@ -52,6 +52,7 @@ export interface Study {
   axis: string[];
   rows: number;
   signals: Signal[];
+  byName: Map<string, Signal>;
   motion: Motion | null;
 }
 
@@ -99,7 +100,14 @@ function unpack(study: PackedStudy, buffer: ArrayBuffer, planar: boolean): Study
     unit: column.unit,
     values: values(column, buffer, study.rows),
   }));
-  return { name: study.name, axis: study.axis, rows: study.rows, signals, motion: motion(study, buffer, planar) };
+  return {
+    name: study.name,
+    axis: study.axis,
+    rows: study.rows,
+    signals,
+    byName: new Map(signals.map((signal) => [signal.name, signal])),
+    motion: motion(study, buffer, planar),
+  };
 }
 
 function values(column: PackedColumn, buffer: ArrayBuffer, rows: number): ArrayLike<number> {
@@ -121,5 +129,5 @@ function motion(study: PackedStudy, buffer: ArrayBuffer, planar: boolean): Motio
 }
 
 export function signal(study: Study, name: string): Signal | undefined {
-  return study.signals.find((candidate) => candidate.name === name);
+  return study.byName.get(name);
 }

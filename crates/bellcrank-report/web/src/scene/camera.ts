@@ -28,16 +28,22 @@ export class Camera {
   /** Shows all of `points` in a canvas of that size (px), unless moved since. */
   fit(points: V3[], size: V2, margin: number): void {
     this.size = size;
-    const low = [0, 1, 2].map((k) => Math.min(...points.map((p) => p[k])));
-    const high = [0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])));
-    this.center = [0, 1, 2].map((k) => (low[k] + high[k]) / 2) as V3;
-    const spread = [this.row0, this.row1].map((row) => {
-      const along = points.map((p) => dot(row, p));
-      return [Math.min(...along), Math.max(...along)];
-    });
-    const radius = Math.max(...points.map((p) => Math.hypot(...p.map((v, k) => v - this.center[k]))));
-    const wide = this.planar ? spread[0][1] - spread[0][0] : 2 * radius;
-    const tall = this.planar ? spread[1][1] - spread[1][0] : 1.9 * radius;
+    // Loops, not spreads: a chain of ten thousand bodies has more places than a call takes arguments.
+    const along = (row: V3): V2 => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const p of points) {
+        const at = dot(row, p);
+        low = Math.min(low, at);
+        high = Math.max(high, at);
+      }
+      return [low, high];
+    };
+    const spans = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as V3[]).map(along);
+    this.center = spans.map(([low, high]) => (low + high) / 2) as V3;
+    const [cx, cy, cz] = this.center;
+    const radius = points.reduce((most, p) => Math.max(most, Math.hypot(p[0] - cx, p[1] - cy, p[2] - cz)), 0);
+    const wide = this.planar ? spans[0][1] - spans[0][0] : 2 * radius;
+    const tall = this.planar ? spans[1][1] - spans[1][0] : 1.9 * radius;
     const room = (length: number, pixels: number) => Math.max(40, pixels - 2 * margin) / Math.max(length, 1e-9);
     this.fitted = Math.min(room(wide, size[0]), room(tall, size[1]), 1e7);
   }
