@@ -174,6 +174,3 @@ fn scalar_table(study: &StudyResult) -> Grid {
     }
     grid
 }
-
-#[cfg(test)]
-mod tests;
