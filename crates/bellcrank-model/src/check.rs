@@ -1,7 +1,12 @@
 //! What `bellcrank check` shows.
 
-use bellcrank_results::SpaceKind;
-use serde_json::Value;
+mod facts;
+mod notes;
+mod show;
+
+pub(crate) use facts::check;
+
+use bellcrank_results::{Failure, SpaceKind};
 
 /// A body in a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +20,7 @@ pub struct BodyFact {
 }
 
 /// A joint in a check.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointFact {
     /// Name.
     pub name: String,
@@ -42,6 +47,8 @@ pub struct Check {
     pub joints: Vec<JointFact>,
     /// Names of forces.
     pub forces: Vec<String>,
+    /// Names, kinds, and whether this version runs them.
+    pub studies: Vec<crate::StudyInfo>,
     /// Coordinates of the spanning tree.
     pub coordinates: usize,
     /// Equations of loops and couplings.
@@ -54,27 +61,14 @@ pub struct Check {
     pub degrees: Option<usize>,
     /// Number of loops.
     pub loops: usize,
-    /// Redundant equations in words: "`N` along x".
+    /// Equations that take part in a dependency, in words: "`N` along x".
     pub redundant: Vec<String>,
     /// Coordinates able to move, most mobile first.
     pub mobile: Vec<String>,
-    /// The assembled position is special: nearby, fewer coordinates can move.
+    /// The assembled position is special: nearby, the rank is another.
     pub special: bool,
     /// What is missing or suspicious.
     pub notes: Vec<String>,
     /// Why it could not be assembled.
-    pub failure: Option<bellcrank_results::Failure>,
-}
-
-impl Check {
-    /// For people.
-    #[must_use]
-    pub fn text(&self) -> String {
-        todo!()
-    }
-    /// For programs.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        todo!()
-    }
+    pub failure: Option<Failure>,
 }

@@ -5,12 +5,25 @@
 //! ([`Model::check`]) and runs its studies ([`Model::run`], [`Model::run_all`]). [`schema`] and
 //! [`starter`] are the format in other clothes.
 
+mod build;
 mod check;
+mod design;
+mod disk;
+mod drawing;
 mod error;
+mod geometry;
+mod keyed;
 mod load;
+mod measure;
 mod model;
+mod motion;
+mod names;
 mod progress;
+mod provenance;
+mod read;
+mod run;
 mod schema;
+mod signals;
 mod starter;
 pub mod verify;
 

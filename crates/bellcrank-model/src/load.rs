@@ -2,11 +2,17 @@
 
 use std::path::Path;
 
-use bellcrank_doc::{Diagnostics, Sources};
+use bellcrank_doc::{Diagnostic, Diagnostics, Override, SourceId, Sources};
 
 use crate::Model;
+use crate::build::{self, check_connected};
+use crate::design::{Design, Study, Values};
+use crate::model::Parts;
+use crate::provenance;
+use crate::read::{ReadModel, Tables, read_files, read_model};
 
 /// What reading a file gave.
+#[derive(Debug)]
 pub struct Loaded {
     /// All texts that were read: what diagnostics point into.
     pub sources: Sources,
@@ -19,6 +25,78 @@ pub struct Loaded {
 /// Reads a model file with other values for some of its parameters (name and value as written on
 /// the command line), and checks all of it.
 #[must_use]
-pub fn load(_path: &Path, _overrides: &[(String, String)]) -> Loaded {
-    todo!()
+pub fn load(path: &Path, overrides: &[(String, String)]) -> Loaded {
+    let mut sources = Sources::new();
+    let mut diagnostics = Diagnostics::new();
+    let model = read(path, overrides, &mut sources, &mut diagnostics);
+    diagnostics.sort();
+    let model = model.filter(|_| !diagnostics.has_errors());
+    Loaded { sources, diagnostics, model }
+}
+
+fn read(
+    path: &Path,
+    overrides: &[(String, String)],
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Option<Model> {
+    let overrides = arguments(overrides, sources, diagnostics);
+    let files = read_files(sources, path, overrides, diagnostics)?;
+    let texts: Vec<SourceId> = files.parts.iter().map(|part| part.table.span.source).collect();
+    let read = read_model(files, &Tables::new(sources), diagnostics)?;
+    // Numbers are looked at only when all of them could be read.
+    if !diagnostics.has_errors() {
+        evaluate(&read, diagnostics);
+    }
+    let ReadModel { title, design, studies } = read;
+    let name = path.file_stem().map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let file = path.display().to_string();
+    let hash = provenance::hash(sources, &texts);
+    Model::new(Parts { title: title.unwrap_or_else(|| name.clone()), name, file, hash, design, studies })
+}
+
+fn arguments(
+    overrides: &[(String, String)],
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Override> {
+    let mut read = Vec::new();
+    for (name, value) in overrides {
+        match Override::from_argument(sources, &format!("{name}={value}")) {
+            Ok(one) => read.push(one),
+            Err(report) => diagnostics.push(report),
+        }
+    }
+    read
+}
+
+/// Checks the numbers of the model and of each study that changes some.
+fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
+    let main = &read.design.scopes[0].parameters;
+    let values = Values::new(&read.design.scopes, main);
+    let mut found = faults(&read.design, &values);
+    for study in &read.studies {
+        let in_study = if study.changed.is_empty() { Vec::new() } else { faults(&read.design, &study.values) };
+        // What is wrong without the study, too, has been told.
+        let new = in_study.into_iter().filter(|fault| !found.contains(fault)).collect::<Vec<_>>();
+        found.extend(new.into_iter().map(|fault| with_study(fault, study)));
+        found.extend(study.faults(&read.design));
+    }
+    found.extend(check_connected(&read.design));
+    found.into_iter().for_each(|fault| diagnostics.push(fault));
+}
+
+fn faults(design: &Design, values: &Values) -> Vec<Diagnostic> {
+    let mut faults = Vec::new();
+    if let Some(built) = build::build(design, values, &mut faults)
+        && let Err(fault) = build::engine(design, &built)
+    {
+        faults.push(*fault);
+    }
+    faults
+}
+
+fn with_study(fault: Diagnostic, study: &Study) -> Diagnostic {
+    let message = format!("{} (in study `{}`)", fault.message, study.name);
+    Diagnostic { message, ..fault }.also(study.span, "with the parameters of this study")
 }

@@ -1,9 +1,15 @@
 //! A checked model: what it is made of, and what can be asked of it.
 
+use std::fmt;
+
+use bellcrank_doc::{ParameterSet, nearest};
 use bellcrank_multibody::{Blueprint, Engine};
 use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult};
 
-use crate::{Check, Progress, RunError};
+use crate::build::{self, Built};
+use crate::design::{Design, Study, Values};
+use crate::schema::AVAILABLE;
+use crate::{Check, Progress, RunError, check, drawing, provenance, run};
 
 /// A study as the file names it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,88 +23,250 @@ pub struct StudyInfo {
 }
 
 /// A checked model: every value has been evaluated and is sound.
-#[derive(Debug)]
-pub struct Model {}
+pub struct Model {
+    parts: Parts,
+    built: Built,
+}
+
+/// What a model is made from.
+pub(crate) struct Parts {
+    pub(crate) name: String,
+    pub(crate) title: String,
+    pub(crate) file: String,
+    pub(crate) hash: String,
+    pub(crate) design: Design,
+    pub(crate) studies: Vec<Study>,
+}
+
+impl fmt::Debug for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Model").field("name", &self.parts.name).finish_non_exhaustive()
+    }
+}
 
 impl Model {
+    /// `None` when the numbers make no mechanism, which has been reported then.
+    pub(crate) fn new(parts: Parts) -> Option<Model> {
+        let scopes = &parts.design.scopes;
+        let values = Values::new(scopes, &scopes.first()?.parameters);
+        let built = build::build(&parts.design, &values, &mut Vec::new())?;
+        build::engine(&parts.design, &built).ok()?;
+        Some(Model { parts, built })
+    }
+
     /// Name: the stem of the file's name.
     #[must_use]
     pub fn name(&self) -> &str {
-        todo!()
+        &self.parts.name
     }
+
     /// Title from the file; the name without one.
     #[must_use]
     pub fn title(&self) -> &str {
-        todo!()
+        &self.parts.title
     }
+
     /// Plane or space.
     #[must_use]
     pub fn space(&self) -> SpaceKind {
-        todo!()
+        if self.design().planar { SpaceKind::Planar } else { SpaceKind::Spatial }
     }
+
     /// Parameters as used, those of subsystems with their prefix.
     #[must_use]
     pub fn parameters(&self) -> Vec<ParameterRow> {
-        todo!()
+        let design = self.design();
+        let values = Values::new(&design.scopes, &design.scopes[0].parameters);
+        let mut rows = Vec::new();
+        for (index, scope) in design.scopes.iter().enumerate() {
+            let values = values.of(crate::design::ScopeId(index));
+            for i in 0..scope.parameters.all().len() {
+                let row = parameter_row(design, &scope.parameters, i, &scope.prefix);
+                rows.extend(row.map(|row| ParameterRow { value: values.get(i).copied().unwrap_or(row.value), ..row }));
+            }
+        }
+        rows
     }
+
     /// Names of the bodies, without the ground.
     #[must_use]
     pub fn bodies(&self) -> Vec<&str> {
-        todo!()
+        self.design().bodies.iter().skip(1).map(|body| body.name.as_str()).collect()
     }
+
     /// Names of the joints.
     #[must_use]
     pub fn joints(&self) -> Vec<&str> {
-        todo!()
+        self.design().joints.iter().map(|joint| joint.name.as_str()).collect()
     }
+
     /// Names of the forces.
     #[must_use]
     pub fn forces(&self) -> Vec<&str> {
-        todo!()
+        self.design().forces.iter().map(|force| force.name.as_str()).collect()
     }
+
     /// Names of the motions.
     #[must_use]
     pub fn motions(&self) -> Vec<&str> {
-        todo!()
+        self.design().motions.iter().map(|motion| motion.name.as_str()).collect()
     }
+
     /// The studies in the order of the file.
     #[must_use]
     pub fn studies(&self) -> Vec<StudyInfo> {
-        todo!()
+        let info = |study: &Study| StudyInfo {
+            name: study.name.clone(),
+            kind: study.kind.to_owned(),
+            available: AVAILABLE.contains(&study.kind),
+        };
+        self.parts.studies.iter().map(info).collect()
     }
+
     /// What the mechanism is made of, in SI numbers.
     #[must_use]
-    pub fn blueprint(&self) -> Blueprint<f64> {
-        todo!()
+    pub fn blueprint(&self) -> &Blueprint<f64> {
+        &self.built.blueprint
     }
+
     /// A mechanism ready to be assembled.
-    #[must_use]
-    pub fn engine(&self) -> Box<dyn Engine> {
-        todo!()
+    ///
+    /// # Errors
+    /// A fault of the program: the same blueprint made a mechanism when the model was loaded.
+    pub fn engine(&self) -> Result<Box<dyn Engine>, bellcrank_multibody::BuildError> {
+        bellcrank_multibody::engine_for(self.design().planar, &self.built.blueprint)
     }
+
     /// The stick drawing.
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        todo!()
+        drawing::drawing(self.design(), &self.built, &self.parts.studies)
     }
+
     /// Facts about the mechanism: what `bellcrank check` shows.
     #[must_use]
     pub fn check(&self) -> Check {
-        todo!()
+        check::check(self)
     }
+
     /// Runs one study. What goes wrong on the way is in [`StudyResult::failure`], with the rows up to there.
     ///
     /// # Errors
     /// When there is no such study, or this version does not run its kind.
-    pub fn run(&self, _study: &str, _progress: &mut dyn Progress) -> Result<StudyResult, RunError> {
-        todo!()
+    pub fn run(&self, study: &str, progress: &mut dyn Progress) -> Result<StudyResult, RunError> {
+        Ok(run::run(self.design(), self.runnable(study)?, progress))
     }
+
     /// Runs some studies, or all when none is named; studies of a kind that this version does not run are then
     /// left out with a warning.
     ///
     /// # Errors
     /// When a named study does not exist or is not available; nothing is run then.
-    pub fn run_all(&self, _studies: &[String], _progress: &mut dyn Progress) -> Result<RunResult, RunError> {
-        todo!()
+    pub fn run_all(&self, studies: &[String], progress: &mut dyn Progress) -> Result<RunResult, RunError> {
+        let mut warnings = Vec::new();
+        let chosen: Vec<&Study> = if studies.is_empty() {
+            let (available, later): (Vec<&Study>, Vec<&Study>) =
+                self.parts.studies.iter().partition(|study| AVAILABLE.contains(&study.kind));
+            warnings.extend(later.into_iter().map(left_out));
+            available
+        } else {
+            studies.iter().map(|name| self.runnable(name)).collect::<Result<_, _>>()?
+        };
+        if self.parts.studies.is_empty() {
+            warnings.push("the model has no studies".to_owned());
+        }
+        let count = chosen.len();
+        let mut results = Vec::with_capacity(count);
+        for (index, study) in chosen.into_iter().enumerate() {
+            if progress.cancelled() {
+                break;
+            }
+            let mut share = Share { whole: progress, study: &study.name, index, count };
+            results.push(run::run(self.design(), study, &mut share));
+        }
+        Ok(self.result(results, warnings))
+    }
+
+    fn result(&self, studies: Vec<StudyResult>, mut warnings: Vec<String>) -> RunResult {
+        let facts = self.check();
+        warnings.extend(facts.notes.iter().cloned());
+        RunResult {
+            model: self.parts.name.clone(),
+            title: self.parts.title.clone(),
+            provenance: provenance::provenance(&self.parts.file, &self.parts.hash),
+            parameters: self.parameters(),
+            facts: facts.facts(),
+            drawing: self.drawing(),
+            studies,
+            warnings,
+        }
+    }
+
+    fn runnable(&self, name: &str) -> Result<&Study, RunError> {
+        let known = || self.parts.studies.iter().map(|study| study.name.as_str());
+        let Some(study) = self.parts.studies.iter().find(|study| study.name == name) else {
+            return Err(RunError::UnknownStudy {
+                name: name.to_owned(),
+                nearest: nearest(name, known()).map(str::to_owned),
+                known: known().map(str::to_owned).collect(),
+            });
+        };
+        if !AVAILABLE.contains(&study.kind) {
+            return Err(RunError::NotAvailable { study: name.to_owned(), kind: study.kind.to_owned() });
+        }
+        Ok(study)
+    }
+
+    pub(crate) fn design(&self) -> &Design {
+        &self.parts.design
+    }
+
+    pub(crate) fn built(&self) -> &Built {
+        &self.built
+    }
+
+    pub(crate) fn study_list(&self) -> &[Study] {
+        &self.parts.studies
+    }
+}
+
+fn left_out(study: &Study) -> String {
+    format!("study `{}` was left out: studies of kind `{}` are not in this version", study.name, study.kind)
+}
+
+/// One parameter of a set, as results tell it.
+pub(crate) fn parameter_row(
+    design: &Design,
+    set: &ParameterSet,
+    index: usize,
+    prefix: &str,
+) -> Option<ParameterRow> {
+    let parameter = set.all().get(index)?;
+    Some(ParameterRow {
+        name: format!("{prefix}{}", parameter.name),
+        written: parameter.written.clone(),
+        value: set.values().get(index).copied()?,
+        unit: design.units.of_dimension(parameter.dimension),
+        bounds: (parameter.min, parameter.max),
+        note: parameter.note.clone(),
+    })
+}
+
+/// The part of a run that one study is.
+struct Share<'p> {
+    whole: &'p mut dyn Progress,
+    study: &'p str,
+    index: usize,
+    count: usize,
+}
+
+impl Progress for Share<'_> {
+    fn at(&mut self, fraction: f64, message: &str) {
+        let done = (self.index as f64 + fraction) / self.count as f64;
+        self.whole.at(done, &format!("{}: {message}", self.study));
+    }
+
+    fn cancelled(&self) -> bool {
+        self.whole.cancelled()
     }
 }

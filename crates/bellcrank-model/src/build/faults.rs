@@ -1,0 +1,75 @@
+//! What a mechanism refuses, in names and places of the file.
+
+use bellcrank_doc::{Diagnostic, Span};
+use bellcrank_multibody::{BuildError, Coordinate, JointId};
+
+use crate::design::{Design, Joint};
+
+/// The report of a blueprint that makes no mechanism.
+pub(super) fn report(design: &Design, error: &BuildError) -> Diagnostic {
+    let joint = |id: &JointId| design.joints.get(id.0);
+    let named = |id: &JointId| joint(id).map_or(String::new(), |joint| format!("joint `{}`", joint.name));
+    let at = |id: &JointId| joint(id).map_or(design.gravity_span, |joint| joint.span);
+    match error {
+        BuildError::NotInPlane(id) => {
+            Diagnostic::error("not-in-plane", at(id), format!("{} has no meaning in the plane", named(id)))
+        }
+        BuildError::NoAxis(id) => {
+            Diagnostic::error("no-axis", at(id), format!("the axis of {} has no length", named(id)))
+        }
+        BuildError::AxisOutOfPlane(id) => {
+            Diagnostic::error("not-in-plane", at(id), format!("the axis of {} leaves the plane", named(id)))
+        }
+        BuildError::NotPerpendicular { joint: id, angle } => {
+            let message = format!(
+                "the axes of {} are not perpendicular: {:.3} deg between them",
+                named(id),
+                angle.to_degrees()
+            );
+            Diagnostic::error("not-perpendicular", at(id), message)
+                .hint("`axis` in the first point's frame and `axis2` in the second's are perpendicular at zero angles")
+        }
+        BuildError::Places(id) => Diagnostic::error("wrong-length", at(id), format!("{} needs two points", named(id))),
+        BuildError::Dangling(id) => {
+            Diagnostic::error("no-coordinate", at(id), format!("{} refers to a coordinate that is not there", named(id)))
+        }
+        BuildError::NoCoordinate(c) => {
+            Diagnostic::error("no-coordinate", at(&c.joint), format!("{} has no coordinate {}", named(&c.joint), c.index))
+        }
+        BuildError::Attitude(c) => attitude(*c, named(&c.joint), at(&c.joint)),
+    }
+}
+
+fn attitude(c: Coordinate, joint: String, span: Span) -> Diagnostic {
+    let message = format!("coordinate {} of {joint} cannot be coupled or loaded alone", c.index);
+    Diagnostic::error("attitude", span, message)
+        .hint("the three angles of free turning belong together; use a `torque` on the body, or hinges in a row")
+}
+
+/// Bodies that no chain of joints leads to from the ground: a warning each.
+pub(crate) fn check_connected(design: &Design) -> Vec<Diagnostic> {
+    let reached = reached(design.bodies.len(), &design.joints);
+    let loose = design.bodies.iter().zip(reached).filter(|(_, reached)| !reached);
+    let warning = |(body, _): (&crate::design::Body, bool)| {
+        let message = format!("body `{}` is not connected to the ground", body.name);
+        let hint = "connect it by a joint; one of kind `free` lets it move any way";
+        Diagnostic::warning("unconnected-body", body.span, message).hint(hint)
+    };
+    loose.map(warning).collect()
+}
+
+fn reached(bodies: usize, joints: &[Joint]) -> Vec<bool> {
+    let mut neighbours = vec![Vec::new(); bodies];
+    for [a, b] in joints.iter().filter_map(|joint| joint.connects) {
+        neighbours[a.body].push(b.body);
+        neighbours[b.body].push(a.body);
+    }
+    let mut reached = vec![false; bodies];
+    let mut next = vec![0];
+    while let Some(body) = next.pop() {
+        if !std::mem::replace(&mut reached[body], true) {
+            next.extend(neighbours[body].iter().copied());
+        }
+    }
+    reached
+}

@@ -1,0 +1,136 @@
+//! Force elements in numbers.
+
+use bellcrank_multibody::{BodyId, Coordinate, Force as ForceNumbers, Place, Value};
+
+use super::Numbers;
+use crate::design::{Force, ForceShape, Load, PointRef};
+use crate::geometry::Extent;
+
+type Points = [Vec<Place<f64>>];
+
+/// The elements, and what the length of each is.
+pub(super) fn forces(
+    numbers: &mut Numbers<'_>,
+    points: &Points,
+) -> (Vec<ForceNumbers<f64>>, Vec<Option<Extent>>) {
+    let design = numbers.design;
+    let one = |force: &Force| (element(numbers, force, points), extent(&force.shape, points));
+    design.forces.iter().map(one).unzip()
+}
+
+fn extent(shape: &ForceShape, points: &Points) -> Option<Extent> {
+    match shape {
+        ForceShape::Spring { between, .. } => Some(Extent::Between(between.map(|at| {
+            let place = &points[at.body][at.point];
+            (place.body, place.position)
+        }))),
+        ForceShape::JointSpring { coordinate, .. }
+        | ForceShape::Friction { coordinate, .. }
+        | ForceShape::Stop { coordinate, .. } => Some(Extent::Along(*coordinate)),
+        _ => None,
+    }
+}
+
+/// Loads of one force as values.
+struct Loads<'n, 'a> {
+    numbers: &'n mut Numbers<'a>,
+    name: &'n str,
+}
+
+impl Loads<'_, '_> {
+    fn value(&mut self, load: &Load, key: &str) -> Value<f64> {
+        match load {
+            Load::Fixed(quantity) => {
+                Value::Constant(self.numbers.number(quantity, &format!("`{key}` of force `{}`", self.name)))
+            }
+            Load::Input(index) => Value::Input(*index),
+            Load::Absent(default) => Value::Constant(*default),
+        }
+    }
+
+    /// A value that is never negative.
+    fn positive(&mut self, load: &Load, key: &str) -> Value<f64> {
+        let value = self.value(load, key);
+        if let (Value::Constant(number), Load::Fixed(quantity)) = (value, load)
+            && number < 0.0
+        {
+            self.numbers.report("negative", quantity.span(), format!("`{key}` of force `{}` is negative", self.name));
+        }
+        value
+    }
+
+    fn optional(&mut self, load: Option<&Load>, key: &str) -> Option<Value<f64>> {
+        load.map(|load| self.value(load, key))
+    }
+
+    fn values<const N: usize>(&mut self, loads: &[Load; N], key: &str) -> [Value<f64>; N] {
+        std::array::from_fn(|i| self.value(&loads[i], key))
+    }
+}
+
+fn element(numbers: &mut Numbers<'_>, force: &Force, points: &Points) -> ForceNumbers<f64> {
+    let place = |at: &PointRef| points[at.body][at.point].clone();
+    let mut loads = Loads { numbers, name: &force.name };
+    match &force.shape {
+        ForceShape::Point { at, vector, axes } => {
+            ForceNumbers::Point { at: place(at), vector: loads.values(vector, "vector"), axes: *axes }
+        }
+        ForceShape::Torque { on, vector, axes } => {
+            ForceNumbers::Torque { on: BodyId(*on), vector: loads.values(vector, "vector"), axes: *axes }
+        }
+        ForceShape::Spring { between: [a, b], stiffness, damping, free_length, preload } => ForceNumbers::Spring {
+            between: [place(a), place(b)],
+            stiffness: loads.value(stiffness, "stiffness"),
+            damping: loads.value(damping, "damping"),
+            free_length: loads.positive(free_length, "free_length"),
+            preload: loads.value(preload, "preload"),
+        },
+        ForceShape::Bushing { between: [a, b], stiffness, damping } => ForceNumbers::Bushing {
+            between: [place(a), place(b)],
+            stiffness: loads.values(stiffness, "stiffness"),
+            damping: loads.values(damping, "damping"),
+        },
+        along => along_coordinate(&mut loads, along),
+    }
+}
+
+fn along_coordinate(loads: &mut Loads<'_, '_>, shape: &ForceShape) -> ForceNumbers<f64> {
+    match shape {
+        ForceShape::JointSpring { coordinate, stiffness, damping, free_position, preload } => {
+            ForceNumbers::JointSpring {
+                coordinate: *coordinate,
+                stiffness: loads.value(stiffness, "stiffness"),
+                damping: loads.value(damping, "damping"),
+                free_position: loads.value(free_position, "free_position"),
+                preload: loads.value(preload, "preload"),
+            }
+        }
+        ForceShape::Friction { coordinate, coulomb, static_coefficient, stribeck_velocity, viscous, radius } => {
+            ForceNumbers::Friction {
+                coordinate: *coordinate,
+                coulomb: loads.positive(coulomb, "coulomb"),
+                static_coefficient: loads.optional(static_coefficient.as_ref(), "static"),
+                stribeck_velocity: loads.optional(stribeck_velocity.as_ref(), "stribeck_velocity"),
+                viscous: loads.positive(viscous, "viscous"),
+                radius: loads.optional(radius.as_ref(), "radius"),
+            }
+        }
+        ForceShape::Stop { coordinate, min, max, stiffness, damping } => ForceNumbers::Stop {
+            coordinate: *coordinate,
+            min: loads.optional(min.as_ref(), "min"),
+            max: loads.optional(max.as_ref(), "max"),
+            stiffness: loads.positive(stiffness, "stiffness"),
+            damping: loads.positive(damping, "damping"),
+        },
+        ForceShape::Effort { coordinate, value } => {
+            ForceNumbers::Effort { coordinate: *coordinate, value: loads.value(value, "value") }
+        }
+        _ => nothing(),
+    }
+}
+
+/// Never made: the kinds without a coordinate are told apart before.
+fn nothing() -> ForceNumbers<f64> {
+    let coordinate = Coordinate { joint: bellcrank_multibody::JointId(0), index: 0 };
+    ForceNumbers::Effort { coordinate, value: Value::Constant(0.0) }
+}

@@ -1,0 +1,103 @@
+//! Numbers of studies and motions that cannot be right.
+
+use bellcrank_doc::Diagnostic;
+
+use super::Numbers;
+use crate::design::{Design, Law, Over, Prescribed, Quantity, Segment, SegmentKind, Study, Sweep, Task};
+
+/// Rows that a study over time may have.
+const MOST_ROWS: f64 = 1e6;
+
+impl Study {
+    /// What is wrong with the numbers of this study.
+    pub(crate) fn faults(&self, design: &Design) -> Vec<Diagnostic> {
+        let mut faults = Vec::new();
+        let mut numbers = Numbers { design, values: &self.values, faults: &mut faults };
+        match &self.task {
+            Task::Motion { over, holds, .. } => {
+                held(&mut numbers, holds);
+                check_over(&mut numbers, over);
+            }
+            Task::Statics { sweep, holds, motions } => {
+                held(&mut numbers, holds);
+                if let Some(sweep) = sweep {
+                    ends(&mut numbers, sweep);
+                }
+                check_motions(&mut numbers, motions);
+            }
+            Task::Later => {}
+        }
+        faults
+    }
+}
+
+fn held(numbers: &mut Numbers<'_>, holds: &[crate::design::Hold]) {
+    for at in holds.iter().filter_map(|hold| hold.at.as_ref()) {
+        numbers.number(at, "the position of `hold`");
+    }
+}
+
+fn ends(numbers: &mut Numbers<'_>, sweep: &Sweep) {
+    numbers.number(&sweep.from, "`from` of the sweep");
+    numbers.number(&sweep.to, "`to` of the sweep");
+}
+
+fn check_over(numbers: &mut Numbers<'_>, over: &Over) {
+    match over {
+        Over::Positions { sweep, velocity, acceleration, .. } => {
+            ends(numbers, sweep);
+            for rate in [velocity, acceleration].into_iter().flatten() {
+                numbers.number(rate, "the rate of the drive");
+            }
+        }
+        Over::Time { duration, step, motions, .. } => {
+            let (lasts, each) = (above_zero(numbers, duration, "`duration`"), above_zero(numbers, step, "`step`"));
+            if let (Some(lasts), Some(each)) = (lasts, each) {
+                check_rows(numbers, step, lasts, each);
+            }
+            check_motions(numbers, motions);
+        }
+    }
+}
+
+fn check_rows(numbers: &mut Numbers<'_>, step: &Quantity, lasts: f64, each: f64) {
+    if each > lasts {
+        numbers.report("out-of-range", step.span(), "`step` is longer than `duration`");
+    } else if lasts / each > MOST_ROWS {
+        let message = format!("{:.0} steps are more than the {MOST_ROWS} that a study may have", lasts / each);
+        numbers.report("out-of-range", step.span(), message);
+    }
+}
+
+fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: &str) -> Option<f64> {
+    let before = numbers.faults.len();
+    let value = numbers.number(quantity, what);
+    if numbers.faults.len() == before && value <= 0.0 {
+        numbers.report("out-of-range", quantity.span(), format!("{what} must be above zero"));
+    }
+    (value > 0.0).then_some(value)
+}
+
+fn check_motions(numbers: &mut Numbers<'_>, motions: &[usize]) {
+    let design = numbers.design;
+    for motion in motions.iter().filter_map(|&index| design.motions.get(index)) {
+        check_motion(numbers, motion);
+    }
+}
+
+fn check_motion(numbers: &mut Numbers<'_>, motion: &Prescribed) {
+    match &motion.law {
+        Law::Velocity(rate) => {
+            numbers.number(rate, &format!("`velocity` of motion `{}`", motion.name));
+        }
+        Law::Segments(segments) => segments.iter().for_each(|segment| check_segment(numbers, motion, segment)),
+        Law::Expressions(_) | Law::Table(_) => {}
+    }
+}
+
+fn check_segment(numbers: &mut Numbers<'_>, motion: &Prescribed, segment: &Segment) {
+    above_zero(numbers, &segment.duration, &format!("the time of a segment of motion `{}`", motion.name));
+    if let SegmentKind::Move { to, .. } = &segment.kind {
+        numbers.number(to, &format!("`to` of a segment of motion `{}`", motion.name));
+    }
+}

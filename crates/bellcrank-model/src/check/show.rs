@@ -1,0 +1,135 @@
+//! A check as text for people and as JSON for programs.
+
+use bellcrank_results::SpaceKind;
+use serde_json::{Value, json};
+
+use super::{BodyFact, Check, JointFact};
+
+impl Check {
+    /// For people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut lines = vec![format!("{} ({})", self.title, space(self.space))];
+        lines.extend(self.facts().into_iter().map(|(label, text)| format!("  {label:<22}{text}")));
+        lines.push(String::new());
+        lines.push("bodies".to_owned());
+        lines.extend(self.bodies.iter().map(body_line));
+        lines.push("joints".to_owned());
+        lines.extend(self.joints.iter().map(joint_line));
+        if !self.studies.is_empty() {
+            lines.push("studies".to_owned());
+            lines.extend(self.studies.iter().map(|study| {
+                let later = if study.available { "" } else { "  (not in this version)" };
+                format!("  {:<16}{}{later}", study.name, study.kind)
+            }));
+        }
+        if let Some(failure) = &self.failure {
+            lines.push(String::new());
+            lines.push(failure.message.clone());
+            lines.extend(failure.hints.iter().map(|hint| format!("  hint: {hint}")));
+        }
+        if !self.notes.is_empty() {
+            lines.push(String::new());
+            lines.extend(self.notes.iter().map(|note| format!("note: {note}")));
+        }
+        lines.join("\n") + "\n"
+    }
+
+    /// The counts in words: label and text, as results carry them.
+    #[must_use]
+    pub fn facts(&self) -> Vec<(String, String)> {
+        let massive = self.bodies.iter().filter(|body| body.mass > 0.0).count();
+        let mut facts = vec![
+            ("bodies", format!("{} ({massive} with mass) and the ground", self.bodies.len())),
+            ("joints", format!("{}", self.joints.len())),
+            ("degrees of freedom", self.freedom()),
+            ("loops", self.loops_closed()),
+        ];
+        if !self.redundant.is_empty() {
+            facts.push(("redundant equations", format!("{}: {}", self.redundancies(), self.redundant.join(", "))));
+        }
+        if !self.mobile.is_empty() {
+            facts.push(("can move", self.mobile.join(", ")));
+        }
+        if self.special {
+            facts.push(("position", "special: the rank is another nearby".to_owned()));
+        }
+        facts.into_iter().map(|(label, text)| (label.to_owned(), text)).collect()
+    }
+
+    /// Number of equations that follow from others.
+    #[must_use]
+    pub fn redundancies(&self) -> usize {
+        self.equations - self.rank.unwrap_or(self.equations).min(self.equations)
+    }
+
+    fn freedom(&self) -> String {
+        let counted = format!("counted {} - {} = {}", self.coordinates, self.equations, self.counted);
+        match (self.degrees, self.rank) {
+            (Some(degrees), Some(rank)) => format!("{degrees} (rank {rank} of {}; {counted})", self.equations),
+            _ => format!("unknown: not assembled ({counted})"),
+        }
+    }
+
+    fn loops_closed(&self) -> String {
+        let closing: Vec<&str> = self.joints.iter().filter(|joint| joint.closes).map(|joint| joint.name.as_str()).collect();
+        match closing.is_empty() {
+            true => format!("{}", self.loops),
+            false => format!("{}, closed by {}", self.loops, closing.join(", ")),
+        }
+    }
+
+    /// For programs.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!({
+            "model": self.model,
+            "title": self.title,
+            "space": space(self.space),
+            "bodies": self.bodies.iter().map(body_json).collect::<Vec<_>>(),
+            "joints": self.joints.iter().map(joint_json).collect::<Vec<_>>(),
+            "forces": self.forces,
+            "studies": self.studies.iter()
+                .map(|s| json!({ "name": s.name, "kind": s.kind, "available": s.available })).collect::<Vec<_>>(),
+            "degrees_of_freedom": {
+                "counted": self.counted,
+                "computed": self.degrees,
+                "coordinates": self.coordinates,
+                "equations": self.equations,
+                "rank": self.rank,
+            },
+            "loops": self.loops,
+            "redundant": { "count": self.redundancies(), "equations": self.redundant },
+            "mobile": self.mobile,
+            "special_position": self.special,
+            "notes": self.notes,
+            "failure": self.failure.as_ref().map(|f| json!({ "message": f.message, "hints": f.hints })),
+        })
+    }
+}
+
+fn space(kind: SpaceKind) -> &'static str {
+    match kind {
+        SpaceKind::Planar => "planar",
+        SpaceKind::Spatial => "spatial",
+    }
+}
+
+fn body_line(body: &BodyFact) -> String {
+    let mass = if body.mass > 0.0 { format!("{} kg", body.mass) } else { "massless".to_owned() };
+    let joints = if body.joints.is_empty() { "no joints".to_owned() } else { format!("joints {}", body.joints.join(", ")) };
+    format!("  {:<16}{mass:<14}{joints}", body.name)
+}
+
+fn joint_line(joint: &JointFact) -> String {
+    let closes = if joint.closes { "  closes a loop" } else { "" };
+    format!("  {:<16}{:<14}{}{closes}", joint.name, joint.kind, joint.bodies.join(" - "))
+}
+
+fn body_json(body: &BodyFact) -> Value {
+    json!({ "name": body.name, "mass": { "value": body.mass, "unit": "kg" }, "joints": body.joints })
+}
+
+fn joint_json(joint: &JointFact) -> Value {
+    json!({ "name": joint.name, "kind": joint.kind, "bodies": joint.bodies, "closes_loop": joint.closes })
+}

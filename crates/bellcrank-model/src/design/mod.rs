@@ -1,0 +1,89 @@
+//! The checked model: names resolved, dimensions known, values still expressions over the parameters.
+
+mod force;
+mod joint;
+mod motion;
+mod scope;
+mod study;
+
+use bellcrank_doc::Span;
+
+use crate::measure::DisplayUnits;
+use crate::signals::Catalogue;
+
+pub(crate) use force::{Force, ForceShape, Input, Load};
+pub(crate) use joint::{Joint, JointShape, coordinates};
+pub(crate) use motion::{Law, Prescribed, Segment, SegmentKind};
+pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
+pub(crate) use study::{Hold, Over, Study, Sweep, Task};
+
+/// A whole machine with all its subsystems.
+#[derive(Debug)]
+pub(crate) struct Design {
+    pub(crate) planar: bool,
+    pub(crate) gravity: Vec<Quantity>,
+    pub(crate) gravity_span: Span,
+    /// The main file first.
+    pub(crate) scopes: Vec<Scope>,
+    /// Ground first.
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) forces: Vec<Force>,
+    pub(crate) inputs: Vec<Input>,
+    pub(crate) motions: Vec<Prescribed>,
+    pub(crate) units: DisplayUnits,
+    pub(crate) catalogue: Catalogue,
+    /// Signals that force expressions use: places in the catalogue, in the order of their indices.
+    pub(crate) input_signals: Vec<crate::signals::Signal>,
+}
+
+/// A body; the first one is the ground.
+#[derive(Debug)]
+pub(crate) struct Body {
+    pub(crate) name: String,
+    pub(crate) span: Span,
+    pub(crate) mass: Option<Quantity>,
+    pub(crate) center: Option<Vec<Quantity>>,
+    pub(crate) inertia: Option<Vec<Quantity>>,
+    pub(crate) points: Vec<Point>,
+}
+
+/// A named frame of a body.
+#[derive(Debug)]
+pub(crate) struct Point {
+    pub(crate) name: String,
+    pub(crate) span: Span,
+    pub(crate) at: Vec<Quantity>,
+    pub(crate) rotation: Rotation,
+    /// The point of the same body that `at` and `rotation` are given in: where a subsystem's ground sits.
+    pub(crate) base: Option<usize>,
+}
+
+/// How the axes of a point lie in the body.
+#[derive(Debug)]
+pub(crate) enum Rotation {
+    None,
+    About { axis: Direction, angle: Quantity },
+    Quaternion(Vec<Quantity>),
+    Rpy(Vec<Quantity>),
+}
+
+/// An axis.
+#[derive(Debug)]
+pub(crate) struct Direction {
+    pub(crate) span: Span,
+    pub(crate) components: Components,
+}
+
+#[derive(Debug)]
+pub(crate) enum Components {
+    Fixed([f64; 3]),
+    Given(Vec<Quantity>),
+}
+
+/// A point by its places in the lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PointRef {
+    pub(crate) body: usize,
+    pub(crate) point: usize,
+}

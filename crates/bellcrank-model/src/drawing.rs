@@ -1,0 +1,123 @@
+//! The stick drawing: bodies as the lines between their points, joints, arrows.
+
+use bellcrank_multibody::{Coordinate, Place};
+use bellcrank_results::{Arrow, Drawing, DrawnBody, DrawnJoint, SpaceKind};
+
+use crate::build::Built;
+use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task};
+
+pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Drawing {
+    let places = &built.geometry.points;
+    let driven = driven(design, studies);
+    let body = |(index, body): (usize, &Body)| drawn_body(design, built, index, body);
+    let joint = |(index, joint): (usize, &Joint)| {
+        let is_driven = driven.iter().any(|c| c.joint.0 == index);
+        drawn_joint(joint, &built.blueprint.joints[index], is_driven)
+    };
+    let arrow = |index: usize| {
+        let force = &design.forces[index];
+        match &force.shape {
+            ForceShape::Point { at, .. } => Some(Arrow {
+                name: force.name.clone(),
+                body: at.body,
+                at: places.get(at.body)?.get(at.point)?.position,
+            }),
+            _ => None,
+        }
+    };
+    Drawing {
+        space: if design.planar { SpaceKind::Planar } else { SpaceKind::Spatial },
+        bodies: design.bodies.iter().enumerate().map(body).collect(),
+        joints: design.joints.iter().enumerate().filter_map(joint).collect(),
+        arrows: crate::run::arrows(design).filter_map(arrow).collect(),
+    }
+}
+
+/// Coordinates that carry efforts in the first study that says so.
+fn driven(design: &Design, studies: &[Study]) -> Vec<Coordinate> {
+    let of = |study: &Study| match &study.task {
+        Task::Motion { over: Over::Positions { drive, .. }, .. } => Some(vec![*drive]),
+        Task::Motion { over: Over::Time { motions, drives, .. }, .. } => Some(drives.clone().unwrap_or_else(|| {
+            motions.iter().filter_map(|&i| design.motions.get(i)).flat_map(|m| m.coordinates.iter().copied()).collect()
+        })),
+        _ => None,
+    };
+    studies.iter().find_map(of).unwrap_or_default()
+}
+
+fn drawn_body(design: &Design, built: &Built, index: usize, body: &Body) -> DrawnBody {
+    let places = &built.geometry.points[index];
+    let points: Vec<(String, [f64; 3])> =
+        body.points.iter().zip(places).map(|(point, place)| (point.name.clone(), place.position)).collect();
+    let positions: Vec<[f64; 3]> = points.iter().map(|(_, at)| *at).collect();
+    let lines = if index == 0 { Vec::new() } else { lines(&positions, design.planar) };
+    let numbers = &built.blueprint.bodies[index];
+    let center = (index > 0 && numbers.mass > 0.0).then_some(numbers.center);
+    DrawnBody { name: body.name.clone(), points, lines, center }
+}
+
+/// A bar, a triangle; more points in the plane a polygon around their middle, in space the shortest tree.
+fn lines(points: &[[f64; 3]], planar: bool) -> Vec<[usize; 2]> {
+    match points.len() {
+        0 | 1 => Vec::new(),
+        2 => vec![[0, 1]],
+        n if planar || n == 3 => polygon(points),
+        _ => shortest_tree(points),
+    }
+}
+
+fn polygon(points: &[[f64; 3]]) -> Vec<[usize; 2]> {
+    let n = points.len();
+    let middle: [f64; 2] = std::array::from_fn(|k| points.iter().map(|p| p[k]).sum::<f64>() / n as f64);
+    let angle = |i: &usize| (points[*i][1] - middle[1]).atan2(points[*i][0] - middle[0]);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    (0..n).map(|i| [order[i], order[(i + 1) % n]]).collect()
+}
+
+/// Prim's tree.
+fn shortest_tree(points: &[[f64; 3]]) -> Vec<[usize; 2]> {
+    let square = |a: usize, b: usize| (0..3).map(|k| (points[a][k] - points[b][k]).powi(2)).sum::<f64>();
+    let mut nearest: Vec<(usize, f64)> = (0..points.len()).map(|i| (0, square(0, i))).collect();
+    let mut left: Vec<usize> = (1..points.len()).collect();
+    let mut lines = Vec::with_capacity(left.len());
+    while let Some(at) = (0..left.len()).min_by(|&a, &b| nearest[left[a]].1.total_cmp(&nearest[left[b]].1)) {
+        let next = left.swap_remove(at);
+        lines.push([nearest[next].0, next]);
+        for &other in &left {
+            let distance = square(next, other);
+            if distance < nearest[other].1 {
+                nearest[other] = (next, distance);
+            }
+        }
+    }
+    lines
+}
+
+fn drawn_joint(joint: &Joint, numbers: &bellcrank_multibody::Joint<f64>, driven: bool) -> Option<DrawnJoint> {
+    let [first, second] = numbers.places.as_ref()?;
+    let at = |place: &Place<f64>| (place.body.0, place.position);
+    let axis = axis(&numbers.kind);
+    let turned = std::array::from_fn(|i| (0..3).map(|k| first.rotation[i][k] * axis[k]).sum());
+    Some(DrawnJoint {
+        name: joint.name.clone(),
+        kind: joint.kind.to_owned(),
+        first: at(first),
+        second: at(second),
+        axis: turned,
+        driven,
+    })
+}
+
+fn axis(kind: &bellcrank_multibody::JointKind<f64>) -> [f64; 3] {
+    use bellcrank_multibody::JointKind as K;
+    match kind {
+        K::Revolute { axis }
+        | K::Prismatic { axis }
+        | K::Cylindrical { axis }
+        | K::Screw { axis, .. }
+        | K::Universal { axis, .. }
+        | K::PointOnLine { axis } => *axis,
+        _ => [0.0, 0.0, 1.0],
+    }
+}

@@ -1,0 +1,204 @@
+//! Reading a table by its schema: dimensions and whether a key must be there come from one place.
+
+use bellcrank_doc::{Diagnostic, Dimension, Expression, Fields, Reader, Signals, Span, Spanned, Value};
+
+use crate::measure::Motion;
+use crate::schema::{Key, OPEN, Schema, Shape};
+
+/// A cursor over a table of a known schema.
+pub(crate) struct Keyed<'a> {
+    fields: Fields<'a>,
+    schema: &'static Schema,
+    kind: Option<&'static str>,
+    /// Dimensions of the space, 2 or 3.
+    space: usize,
+}
+
+impl<'a> Keyed<'a> {
+    /// Opens a table; one with kinds reads its `kind` first.
+    pub(crate) fn new(fields: Fields<'a>, schema: &'static Schema, space: usize) -> Keyed<'a> {
+        let kinds: Vec<&'static str> = schema.kinds.iter().map(|kind| kind.name).collect();
+        let kind = if kinds.is_empty() { None } else { fields.one_of("kind", &kinds).map(|kind| kind.value) };
+        Keyed { fields, schema, kind, space }
+    }
+
+    /// Opens a table whose kind is known from elsewhere.
+    pub(crate) fn of_kind(fields: Fields<'a>, schema: &'static Schema, kind: &'static str, space: usize) -> Keyed<'a> {
+        fields.has("kind");
+        Keyed { fields, schema, kind: Some(kind), space }
+    }
+
+    pub(crate) fn kind(&self) -> Option<&'static str> {
+        self.kind
+    }
+
+    pub(crate) fn reader(&self) -> &'a Reader<'a> {
+        self.fields.reader()
+    }
+
+    pub(crate) fn span(&self) -> Span {
+        self.fields.span()
+    }
+
+    pub(crate) fn what(&self) -> &str {
+        self.fields.what()
+    }
+
+    /// Reports an error about a place in this table.
+    pub(crate) fn report(&self, diagnostic: Diagnostic) {
+        self.reader().report(diagnostic);
+    }
+
+    /// Reports an error about this table as a whole.
+    pub(crate) fn fault(&self, code: &'static str, message: impl Into<String>) {
+        self.fields.fault(code, message);
+    }
+
+    /// The key in messages.
+    pub(crate) fn named(&self, name: &str) -> String {
+        format!("`{name}` of {}", self.fields.what())
+    }
+
+    pub(crate) fn has(&self, name: &'static str) -> bool {
+        self.fields.has(name)
+    }
+
+    /// The raw value; reported when absent and required.
+    pub(crate) fn value(&self, name: &'static str) -> Option<&'a Value> {
+        if self.key(name)?.required { self.fields.value(name) } else { self.fields.optional_value(name) }
+    }
+
+    /// A value over the parameters.
+    pub(crate) fn quantity(&self, name: &'static str) -> Option<Expression> {
+        let key = self.key(name)?;
+        let Shape::Value(dimension) = key.shape else { return None };
+        if key.required { self.fields.quantity(name, dimension) } else { self.fields.optional_quantity(name, dimension) }
+    }
+
+    /// A value over the parameters, along a joint coordinate.
+    pub(crate) fn along(&self, name: &'static str, motion: Motion) -> Option<Expression> {
+        let key = self.key(name)?;
+        let Shape::Along(along) = key.shape else { return None };
+        let dimension = along.dimension(motion);
+        if key.required { self.fields.quantity(name, dimension) } else { self.fields.optional_quantity(name, dimension) }
+    }
+
+    /// A value over parameters and signals; `motion` is that of the joint coordinate it belongs to, if any.
+    pub(crate) fn signal(
+        &self,
+        name: &'static str,
+        motion: Option<Motion>,
+        signals: &mut dyn Signals,
+    ) -> Option<Expression> {
+        let key = self.key(name)?;
+        let dimension = match (key.shape, motion) {
+            (Shape::Signal(dimension), _) => dimension,
+            (Shape::Along(along), Some(motion)) => along.dimension(motion),
+            _ => return None,
+        };
+        let value = self.value(name)?;
+        self.reader().signal_quantity(value, &self.named(name), dimension, signals)
+    }
+
+    /// As many values as the space has dimensions.
+    pub(crate) fn vector(&self, name: &'static str) -> Option<Vec<Expression>> {
+        let Shape::Vector(dimension) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        self.reader().vector(value, &self.named(name), &vec![dimension; self.space])
+    }
+
+    /// The same over signals.
+    pub(crate) fn signal_vector(&self, name: &'static str, signals: &mut dyn Signals) -> Option<Vec<Expression>> {
+        let Shape::SignalVector(dimension) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        self.reader().signal_vector(value, &self.named(name), &vec![dimension; self.space], signals)
+    }
+
+    /// A list of values of one dimension.
+    pub(crate) fn list(&self, name: &'static str) -> Option<Vec<Expression>> {
+        let Shape::List(dimension, lengths) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        self.reader().uniform_vector(value, &self.named(name), dimension, lengths)
+    }
+
+    /// Text, or a name.
+    pub(crate) fn text(&self, name: &'static str) -> Option<Spanned<&'a str>> {
+        if self.key(name)?.required { self.fields.string(name) } else { self.fields.optional_string(name) }
+    }
+
+    /// A list of names.
+    pub(crate) fn texts(&self, name: &'static str) -> Option<Vec<Spanned<&'a str>>> {
+        if self.key(name)?.required { self.fields.strings(name) } else { self.fields.optional_strings(name) }
+    }
+
+    /// One of some words.
+    pub(crate) fn choice(&self, name: &'static str) -> Option<Spanned<&'static str>> {
+        let key = self.key(name)?;
+        let Shape::OneOf(words) = key.shape else { return None };
+        if key.required { self.fields.one_of(name, words) } else { self.fields.optional_one_of(name, words) }
+    }
+
+    pub(crate) fn boolean(&self, name: &'static str) -> Option<Spanned<bool>> {
+        self.key(name)?;
+        self.fields.optional_boolean(name)
+    }
+
+    pub(crate) fn whole(&self, name: &'static str) -> Option<Spanned<i64>> {
+        let key = self.key(name)?;
+        let Shape::Whole(from, to) = key.shape else { return None };
+        if key.required { self.fields.integer(name, from..=to) } else { self.fields.optional_integer(name, from..=to) }
+    }
+
+    /// A table of its own; with its place in the file.
+    pub(crate) fn table(&self, name: &'static str) -> Option<Keyed<'a>> {
+        let Shape::Table(schema) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        let fields = self.reader().fields(value, &self.named(name))?;
+        Some(Keyed::new(fields, schema, self.space))
+    }
+
+    /// An axis: a letter, or a vector of the space (three components are accepted in the plane, too).
+    pub(crate) fn axis(&self, name: &'static str) -> Option<Axis> {
+        let value = self.value(name)?;
+        let what = self.named(name);
+        if value.as_str().is_some() {
+            let letter = self.reader().one_of(value, &what, &["x", "y", "z"])?;
+            return Some(Axis { span: value.span, kind: AxisKind::Letter(letter.value) });
+        }
+        let lengths: &[usize] = if self.space == 2 { &[2, 3] } else { &[3] };
+        let components = self.reader().uniform_vector(value, &what, Dimension::NONE, lengths)?;
+        Some(Axis { span: value.span, kind: AxisKind::Vector(components) })
+    }
+
+    /// Whether this table has the key, and how it is read.
+    fn key(&self, name: &'static str) -> Option<&'static Key> {
+        let found = self.schema.keys_of(self.kind).find(|key| key.name == name);
+        debug_assert!(
+            found.is_some() || self.kind.is_some() || self.schema.kinds.is_empty(),
+            "`{name}` is not in the schema of {}",
+            self.schema.name
+        );
+        found
+    }
+
+    /// Reports the keys that the schema does not have.
+    pub(crate) fn finish(self) {
+        for key in self.schema.keys_of(self.kind) {
+            self.fields.has(key.name);
+        }
+        if !self.kind.is_some_and(|kind| OPEN.contains(&kind)) {
+            self.fields.finish();
+        }
+    }
+}
+
+/// An axis as written.
+pub(crate) struct Axis {
+    pub(crate) span: Span,
+    pub(crate) kind: AxisKind,
+}
+
+pub(crate) enum AxisKind {
+    Letter(&'static str),
+    Vector(Vec<Expression>),
+}

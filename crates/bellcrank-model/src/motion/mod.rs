@@ -1,0 +1,16 @@
+//! Prescribed motions as functions of time, with exact first and second derivatives.
+
+mod csv;
+mod jet;
+mod profile;
+mod running;
+mod spline;
+
+pub(crate) use csv::{Columns, read_table};
+pub(crate) use jet::Jet;
+pub(crate) use profile::Profile;
+pub(crate) use running::Running;
+pub(crate) use spline::Spline;
+
+#[cfg(test)]
+mod tests;

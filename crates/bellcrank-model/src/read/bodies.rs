@@ -1,0 +1,158 @@
+//! `[ground]` and `[bodies]`.
+
+use bellcrank_doc::{Diagnostic, Span, Value};
+
+use super::files::Mount;
+use super::points::{self, Owner};
+use super::{Machine, PartReader};
+use crate::design::{Body, PointRef, Quantity};
+use crate::keyed::Keyed;
+use crate::names::{self, Index};
+use crate::schema::{BODY, GROUND};
+
+/// Reads the bodies of all parts, then the grounds: these may sit on a body of another part.
+pub(crate) fn read(parts: &[PartReader<'_>], machine: &mut Machine) {
+    let span = parts[0].part.table.span;
+    add(machine, massless("ground".to_owned(), span));
+    for part in parts {
+        for entry in entries(part, "bodies") {
+            if let Some(fault) = names::fault(entry, "body") {
+                part.reader.report(fault);
+            }
+            read_body(*part, machine, &entry.key, entry.key_span, &entry.value);
+        }
+    }
+    for part in parts {
+        read_ground(*part, machine);
+    }
+}
+
+/// The entries of a table of named things in a part; what is no table has been reported with the head.
+pub(crate) fn entries<'a>(part: &PartReader<'a>, key: &str) -> Vec<&'a bellcrank_doc::Entry> {
+    match part.part.table.get(key) {
+        None => Vec::new(),
+        Some(entry) => match part.reader.fields(&entry.value, &format!("`{key}` of the model")) {
+            Some(fields) => fields.table().iter().collect(),
+            None => Vec::new(),
+        },
+    }
+}
+
+fn massless(name: String, span: Span) -> Body {
+    Body { name, span, mass: None, center: None, inertia: None, points: Vec::new() }
+}
+
+fn add(machine: &mut Machine, body: Body) -> usize {
+    let index = machine.bodies.len();
+    machine.body_names.insert(&body.name, index);
+    let mut points = Index::default();
+    for (place, point) in body.points.iter().enumerate() {
+        points.insert(&point.name, place);
+    }
+    machine.point_names.push(points);
+    machine.bodies.push(body);
+    index
+}
+
+fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span, value: &Value) {
+    let mut body = massless(part.full(key), span);
+    if let Some(fields) = part.reader.fields(value, &format!("body `{key}`")) {
+        let keyed = Keyed::new(fields, &BODY, part.space());
+        let owner = Owner { what: format!("body `{key}`"), prefix: String::new(), base: None };
+        if let Some(value) = keyed.value("points") {
+            body.points = points::read(part, value, &owner);
+        }
+        body.mass = keyed.quantity("mass").map(|mass| part.quantity(mass));
+        body.center = keyed.vector("center").map(|center| part.quantities(center));
+        body.inertia = inertia(part, &keyed);
+        check_later(part, &keyed);
+        if key != "ground" {
+            check_inertia(&keyed, &body);
+        }
+        keyed.finish();
+    }
+    if machine.body(&body.name).is_none() {
+        add(machine, body);
+    }
+}
+
+/// One value in the plane; a list of three or six in space.
+fn inertia(part: PartReader<'_>, keyed: &Keyed<'_>) -> Option<Vec<Quantity>> {
+    let value = keyed.value("inertia")?;
+    let what = keyed.named("inertia");
+    let dimension = bellcrank_doc::Dimension::INERTIA;
+    let read = match (value.as_list(), part.planar) {
+        (None, true) => part.reader.quantity(value, &what, dimension).map(|one| vec![one]),
+        (Some(_), true) => part.reader.uniform_vector(value, &what, dimension, &[1]),
+        (Some(_), false) => part.reader.uniform_vector(value, &what, dimension, &[3, 6]),
+        (None, false) => {
+            let message = format!("{what} needs a list in space: [Ixx, Iyy, Izz], or with Ixy, Ixz, Iyz");
+            part.reader.report(Diagnostic::error("wrong-type", value.span, message));
+            None
+        }
+    };
+    read.map(|values| part.quantities(values))
+}
+
+/// A massive body needs an inertia, even where a study sets its mass to zero.
+fn check_inertia(keyed: &Keyed<'_>, body: &Body) {
+    let Some(mass) = &body.mass else { return };
+    let always_massless = mass.expression.as_constant() == Some(0.0);
+    if keyed.has("inertia") || keyed.has("solid") || always_massless {
+        return;
+    }
+    let message = format!("`inertia` is missing in {}, which has a mass", keyed.what());
+    let report = Diagnostic::error("missing-inertia", keyed.span(), message).also(mass.span(), "mass given here");
+    keyed.report(report.hint("about the centre of mass; a point mass has `inertia = 0` (in space `[0, 0, 0]`)"));
+}
+
+fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
+    if let Some(value) = keyed.value("solid") {
+        let message = if keyed.has("mass") {
+            format!("{} takes its mass from numbers or from a solid, not both", keyed.what())
+        } else {
+            format!("{} takes its mass from a solid, which is not in this version", keyed.what())
+        };
+        let hint = "give `mass`, `center` and `inertia` as numbers";
+        part.reader.report(Diagnostic::error("not-in-this-version", value.span, message).hint(hint));
+    }
+    if let Some(value) = keyed.value("flexible") {
+        let message = format!("{} counts as rigid: flexible bodies are not in this version", keyed.what());
+        part.reader.report(Diagnostic::warning("not-in-this-version", value.span, message));
+    }
+}
+
+/// Adds the points of a part's ground to the ground, or to the body that carries the part.
+fn read_ground(part: PartReader<'_>, machine: &mut Machine) {
+    let (body, base) = match mount(part, machine) {
+        Some(point) => (point.body, Some(point.point)),
+        None => (0, None),
+    };
+    let prefix = if part.prefix().is_empty() { String::new() } else { part.full("ground.") };
+    if !part.prefix().is_empty() {
+        machine.mount(part.full("ground"), body, prefix.clone());
+    }
+    let Some(entry) = part.part.table.get("ground") else { return };
+    let Some(fields) = part.reader.fields(&entry.value, "the ground") else { return };
+    let keyed = Keyed::new(fields, &GROUND, part.space());
+    if let Some(value) = keyed.value("points") {
+        let owner = Owner { what: "the ground".to_owned(), prefix, base };
+        for point in points::read(part, value, &owner) {
+            machine.point_names[body].insert(&point.name, machine.bodies[body].points.len());
+            machine.bodies[body].points.push(point);
+        }
+    }
+    keyed.finish();
+}
+
+/// The point that carries the ground of a subsystem.
+fn mount(part: PartReader<'_>, machine: &Machine) -> Option<PointRef> {
+    let Mount::Point { written, prefix, span } = &part.part.mount else { return None };
+    match machine.point(written, prefix, *span) {
+        Ok(point) => Some(point),
+        Err(diagnostic) => {
+            part.reader.report(*diagnostic);
+            None
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! From the tree of a file to the checked model: names resolved, every fault told.
+//!
+//! Files are read together, sort by sort: all bodies, then joints, then forces, motions and studies, so that a
+//! file may refer to what its subsystems hold.
+
+mod bodies;
+mod context;
+mod files;
+mod forces;
+mod joints;
+mod machine;
+mod motions;
+mod points;
+mod studies;
+mod study_keys;
+mod units;
+
+pub(crate) use context::PartReader;
+pub(crate) use files::{Files, Part, Tables, read_files};
+pub(crate) use machine::{Machine, ReadModel, read_model};

@@ -1,0 +1,282 @@
+//! One study while it runs: the mechanism, what is prescribed, what has been recorded.
+
+use bellcrank_doc::Diagnostic;
+use bellcrank_multibody::{Actuation, Coordinate, Engine, MechanismError, Moved};
+use bellcrank_results::{Failure, Reaction, StudyResult};
+
+use super::End;
+use super::animation::Frames;
+use super::explain::{self, Namer};
+use super::inputs::Inputs;
+use super::notes::Notes;
+use super::recorder::Recorder;
+use crate::build::{self, Built};
+use crate::design::{Design, Hold, Quantity, Study, Task};
+use crate::measure::Measure;
+use crate::model::parameter_row;
+use crate::signals::{Level, View};
+
+/// Numbers that a table may have; beyond, memory is at stake.
+const MOST_NUMBERS: usize = 1 << 28;
+
+/// One study while it runs.
+pub(crate) struct Session<'d> {
+    pub(super) design: &'d Design,
+    pub(super) study: &'d Study,
+    built: Built,
+    engine: Box<dyn Engine>,
+    inputs: Inputs<'d>,
+    recorder: Recorder,
+    frames: Frames,
+    efforts: Vec<Coordinate>,
+    pub(super) notes: Notes,
+    pub(super) result: StudyResult,
+    effort: Effort,
+}
+
+/// Work done.
+#[derive(Default)]
+struct Effort {
+    positions: usize,
+    iterations: usize,
+    steps: usize,
+    restarts: usize,
+    force_solutions: usize,
+}
+
+impl<'d> Session<'d> {
+    pub(super) fn new(design: &'d Design, study: &'d Study) -> Result<Session<'d>, End> {
+        let mut faults = Vec::new();
+        let built = build::build(design, &study.values, &mut faults).ok_or_else(|| refused(faults.first()))?;
+        let engine = build::engine(design, &built).map_err(|fault| refused(Some(&fault)))?;
+        let inputs = Inputs::new(design, &study.values);
+        let result = StudyResult {
+            changed: study.changed.iter().filter_map(|&i| parameter_row(design, &study.parameters, i, "")).collect(),
+            ..StudyResult::default()
+        };
+        Ok(Session {
+            design,
+            study,
+            built,
+            engine,
+            inputs,
+            recorder: Recorder::default(),
+            frames: Frames::default(),
+            efforts: Vec::new(),
+            notes: Notes::default(),
+            result,
+            effort: Effort::default(),
+        })
+    }
+
+    pub(super) fn value(&self, quantity: &Quantity) -> f64 {
+        quantity.eval(&self.study.values)
+    }
+
+    pub(super) fn namer(&self) -> Namer<'d> {
+        Namer::new(self.design)
+    }
+
+    /// Present place of a coordinate.
+    pub(super) fn place(&self, c: Coordinate) -> f64 {
+        self.engine.coordinate(c).position
+    }
+
+    /// The start that the file gives for a coordinate.
+    pub(super) fn start(&self, c: Coordinate) -> Option<f64> {
+        self.built.blueprint.joints.get(c.joint.0)?.start.get(c.index).copied().flatten()
+    }
+
+    /// Where coordinates rest, as far as the study says.
+    pub(super) fn held(&self, holds: &[Hold]) -> Vec<(Coordinate, f64)> {
+        let place = |hold: &Hold| match &hold.at {
+            Some(at) => Some((hold.coordinate, self.value(at))),
+            None => self.start(hold.coordinate).map(|start| (hold.coordinate, start)),
+        };
+        holds.iter().filter_map(place).collect()
+    }
+
+    /// Assembles with as much held as can be: first all of `wished`, then only what is `needed`. Starts that the
+    /// file wants held exactly come before what a study would like.
+    pub(super) fn assemble(
+        &mut self,
+        needed: &[(Coordinate, f64)],
+        wished: &[(Coordinate, f64)],
+    ) -> Result<(), End> {
+        let exact_starts = self.built.blueprint.joints.iter().any(|joint| joint.at_start);
+        let all: Vec<(Coordinate, f64)> = needed.iter().chain(wished).copied().collect();
+        let first = if exact_starts { needed } else { &all };
+        let assembled = match self.engine.assemble(first) {
+            Err(_) if first.len() > needed.len() => self.engine.assemble(needed),
+            other => other,
+        };
+        match assembled {
+            Ok(assembled) => {
+                self.effort.iterations += assembled.iterations;
+                self.effort.restarts += assembled.restarts;
+                Ok(())
+            }
+            Err(error) => Err(self.failed(&error, "before the first position")),
+        }
+    }
+
+    /// Chooses what is prescribed and what carries efforts.
+    pub(super) fn prepare(&mut self, actuation: &Actuation) -> Result<(), End> {
+        self.efforts.clone_from(&actuation.effort);
+        self.engine.prepare(actuation).map_err(|error| self.failed(&error, ""))
+    }
+
+    /// Makes room for the rows of the study.
+    pub(super) fn expect_rows(&mut self, rows: usize, has_time: bool) -> Result<(), End> {
+        let forces = !matches!(self.study.task, Task::Motion { forces: false, .. });
+        self.recorder = Recorder::new(self.design, &self.efforts, forces, has_time);
+        if rows.saturating_mul(self.recorder.width()) > MOST_NUMBERS {
+            let message = format!("{rows} rows of {} signals do not fit into memory", self.recorder.width());
+            return Err(Box::new(Failure { message, hints: vec!["take fewer points".to_owned()] }));
+        }
+        self.recorder.reserve(rows);
+        self.frames = Frames::new(self.design, rows);
+        Ok(())
+    }
+
+    /// Moves to a position; an error ends the study.
+    pub(super) fn move_to(&mut self, time: f64, targets: &[f64], place: &dyn Fn() -> String) -> Result<Moved, End> {
+        match self.engine.move_to(time, targets) {
+            Ok(moved) => {
+                self.effort.positions += 1;
+                self.effort.iterations += moved.iterations;
+                self.effort.steps += moved.steps;
+                Ok(moved)
+            }
+            Err(error) => Err(self.failed(&error, &place())),
+        }
+    }
+
+    /// Rates and forces of the present position, as far as they are determined; then records a row.
+    pub(super) fn solve_row(&mut self, velocity: &[f64], acceleration: &[f64], place: &dyn Fn() -> String) -> Moved {
+        let (level, moved) = self.solve(velocity, acceleration, place);
+        self.record(level);
+        moved
+    }
+
+    fn solve(&mut self, velocity: &[f64], acceleration: &[f64], place: &dyn Fn() -> String) -> (Level, Moved) {
+        let moved = match self.engine.set_rates(velocity, acceleration) {
+            Ok(moved) => moved,
+            Err(error) => {
+                let message = explain::row(&self.namer(), &error, "velocities and all that follows");
+                self.notes.add(&message, place);
+                return (Level::Position, Moved::default());
+            }
+        };
+        // Kinematics solves forces as well: the loop closure is told together with the power balance.
+        match solve_forces(&mut *self.engine, &mut self.inputs, self.design, &self.built) {
+            Ok(()) => {
+                self.effort.force_solutions += 1;
+                (Level::Force, moved)
+            }
+            Err(error) => {
+                if self.recorder.has_forces() {
+                    let message = explain::row(&self.namer(), &error, "forces");
+                    self.notes.add(&message, place);
+                }
+                (Level::Acceleration, moved)
+            }
+        }
+    }
+
+    /// Adds the present position to the rows.
+    pub(super) fn record(&mut self, level: Level) {
+        let view = View {
+            engine: &*self.engine,
+            catalogue: &self.design.catalogue,
+            geometry: &self.built.geometry,
+            efforts: &self.efforts,
+            level,
+        };
+        self.recorder.record(&view);
+        self.frames.record(&view, self.recorder.rows() - 1);
+        if self.recorder.has_forces() && level == Level::Force && self.result.reactions.is_empty() {
+            self.result.reactions = reactions(self.design, &mut *self.engine);
+        }
+    }
+
+    /// Finds equilibrium with some coordinates held, and records it.
+    pub(super) fn equilibrium(
+        &mut self,
+        hold: &[(Coordinate, f64)],
+        place: &str,
+    ) -> Result<bellcrank_multibody::Equilibrium, End> {
+        let (inputs, design, built) = (&mut self.inputs, self.design, &self.built);
+        let mut ask = |engine: &dyn Engine, values: &mut [f64]| inputs.evaluate(engine, design, built, values);
+        match self.engine.equilibrium(hold, &mut ask) {
+            Ok(found) => {
+                self.effort.iterations += found.iterations;
+                self.effort.positions += 1;
+                self.record(Level::Force);
+                Ok(found)
+            }
+            Err(error) => Err(self.failed(&error, place)),
+        }
+    }
+
+    /// Sets which coordinates carry efforts where the engine chooses the rest.
+    pub(super) fn carry(&mut self, efforts: Vec<Coordinate>) {
+        self.efforts = efforts;
+    }
+
+    /// The failure of a run.
+    pub(super) fn failed(&self, error: &MechanismError, place: &str) -> End {
+        Box::new(explain::failure(&self.namer(), error, &format!("study `{}`", self.study.name), place))
+    }
+
+    /// `3 mm`, in display units.
+    pub(super) fn shown(&self, value: f64, measure: Measure) -> String {
+        explain::shown(value, &self.design.units.of(measure))
+    }
+
+    /// The result with all that was recorded.
+    pub(super) fn finish(mut self, failure: Option<End>) -> StudyResult {
+        let notes = std::mem::take(&mut self.notes).sentences();
+        let mut result = self.result;
+        result.table = self.recorder.table();
+        result.animation = self.frames.animation();
+        result.warnings.extend(notes);
+        let count = |name: &str, value: usize| (name.to_owned(), value as f64);
+        result.effort = vec![
+            count("positions", self.effort.positions),
+            count("newton_iterations", self.effort.iterations),
+            count("steps", self.effort.steps),
+            count("force_solutions", self.effort.force_solutions),
+            count("assembly_restarts", self.effort.restarts),
+        ];
+        result.failure = failure.map(|failure| *failure);
+        result
+    }
+}
+
+fn solve_forces(
+    engine: &mut dyn Engine,
+    inputs: &mut Inputs<'_>,
+    design: &Design,
+    built: &Built,
+) -> Result<(), MechanismError> {
+    engine.solve_forces(&mut |engine, values| inputs.evaluate(engine, design, built, values))
+}
+
+/// A model that was checked is refused only for a fault of the program; it is told like any other.
+fn refused(fault: Option<&Diagnostic>) -> End {
+    let message = fault.map_or_else(|| "the model makes no mechanism".to_owned(), |fault| fault.message.clone());
+    Box::new(Failure { message, hints: fault.map_or_else(Vec::new, |fault| fault.hints.clone()) })
+}
+
+fn reactions(design: &Design, engine: &mut dyn Engine) -> Vec<Reaction> {
+    let components = crate::signals::reaction_components(design.planar);
+    let unique = engine.uniqueness();
+    let of = |(joint, unique): (&crate::design::Joint, [bool; 6])| Reaction {
+        joint: joint.name.clone(),
+        kind: joint.kind.to_owned(),
+        unique: components.iter().map(|(name, place)| ((*name).to_owned(), unique[*place])).collect(),
+    };
+    let with_points = design.joints.iter().zip(unique).filter(|(joint, _)| joint.connects.is_some());
+    with_points.map(of).collect()
+}

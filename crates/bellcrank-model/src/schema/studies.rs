@@ -1,0 +1,110 @@
+//! Kinds of studies, and their keys.
+
+use bellcrank_doc::Dimension as D;
+
+use super::keys::Shape::{
+    Later, Map, Name, NamesOrMap, Names, OneOf, Response, Responses, Table, Value, Whole,
+};
+use super::keys::{Key, Kind, Schema, Shape};
+use super::tables::{DRIVE, SWEEP};
+
+/// Kinds that this version runs.
+pub(crate) const AVAILABLE: &[&str] = &["kinematics", "inverse-dynamics", "statics"];
+
+/// Kinds whose keys are not settled: an unknown key there is no error yet.
+pub(crate) const OPEN: &[&str] = &["sizing", "workspace", "modes", "stress"];
+
+const fn kind(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Kind {
+    Kind { name, doc, keys }
+}
+
+const HOLD: Key = Key::optional(
+    "hold",
+    NamesOrMap,
+    "coordinates that rest: names (at their start), or a table of names and positions",
+);
+const SWEPT: Key = Key::optional("sweep", Table(&SWEEP), "over positions: the joint that is swept");
+const DRIVEN: Key = Key::optional("drive", Table(&DRIVE), "over positions: the joint that moves and carries the force");
+const DURATION: Key = Key::optional("duration", Value(D::TIME), "over time: how long");
+const STEP: Key = Key::optional("step", Value(D::TIME), "over time: from row to row");
+const MOTIONS: Key = Key::optional("motions", Names, "over time: motions that act; all unless given");
+const DRIVES: Key =
+    Key::optional("drives", Names, "over time: joints that carry the efforts; those with motions unless given");
+const OF: Key = Key::optional("of", Name, "the study that gives the numbers");
+const RESPONSE: Key = Key::optional("response", Response, "one number of that study");
+const SAMPLES: Key = Key::optional("samples", Whole(1, 1_000_000_000), "how many");
+const SEED: Key = Key::optional("seed", Whole(0, i64::MAX), "start of the random numbers");
+const OVER_POSITIONS_OR_TIME: &[Key] = &[SWEPT, DRIVEN, HOLD, DURATION, STEP, MOTIONS, DRIVES];
+
+pub(crate) static STUDY: Schema = Schema {
+    name: "study",
+    doc: "Something to find out.",
+    keys: &[
+        Key::optional("like", Name, "another study that this one starts from"),
+        Key::optional("set", Map, "other values for parameters in this study"),
+    ],
+    kinds: &[
+        kind("kinematics", "positions, velocities and accelerations", OVER_POSITIONS_OR_TIME),
+        kind("inverse-dynamics", "kinematics, drive forces and reactions", OVER_POSITIONS_OR_TIME),
+        kind("statics", "equilibrium at rest", &[SWEPT, HOLD, MOTIONS]),
+        kind(
+            "dynamics",
+            "motion from forces",
+            &[
+                DURATION,
+                Key::optional("output_step", Value(D::TIME), "from row to row"),
+                Key::optional("tolerance", Value(D::NONE), "1e-6 unless given"),
+                MOTIONS,
+                HOLD,
+                Key::optional("stop_when", Response, "condition that ends the study"),
+            ],
+        ),
+        kind(
+            "sensitivity",
+            "derivatives of a response with respect to parameters",
+            &[OF, RESPONSE, Key::optional("parameters", Names, "with respect to these")],
+        ),
+        kind(
+            "optimize",
+            "the best parameters",
+            &[
+                OF,
+                Key::optional("minimize", Response, "objective"),
+                Key::optional("maximize", Response, "objective"),
+                Key::optional("variables", NamesOrMap, "parameters that may change, with bounds of their own or here"),
+                Key::optional("subject_to", Responses, "comparisons that must hold"),
+                Key::optional("starts", Whole(1, 1_000_000), "number of starting points"),
+                SEED,
+            ],
+        ),
+        kind(
+            "sweep",
+            "responses over parameters",
+            &[
+                OF,
+                Key::optional("responses", Responses, "numbers of that study"),
+                Key::optional("vary", Later, "parameters and their ranges"),
+                Key::optional("method", OneOf(&["grid", "lhs", "sobol", "table"]), "how the samples lie"),
+                Key::optional("table", Shape::Text, "CSV file of samples"),
+                SAMPLES,
+                SEED,
+            ],
+        ),
+        kind(
+            "tolerance",
+            "scatter of a response",
+            &[
+                OF,
+                RESPONSE,
+                Key::optional("tolerances", NamesOrMap, "half widths of parameters"),
+                Key::optional("limits", Later, "allowed range of the response"),
+                SAMPLES,
+                SEED,
+            ],
+        ),
+        kind("sizing", "sections and drives from loads", &[OF]),
+        kind("workspace", "where a point can go", &[OF]),
+        kind("modes", "natural frequencies", &[OF]),
+        kind("stress", "stresses of flexible bodies", &[OF]),
+    ],
+};
