@@ -761,14 +761,14 @@ class Model:
             return [(i, (q0, 0.0, 0.0))]
         raise ValueError(m)
 
-    def rows(self, name):
-        """All rows of a kinematics / inverse-dynamics study, as signal dictionaries."""
+    def rows(self, name, times=None):
+        """All rows of a kinematics / inverse-dynamics study, as signal dictionaries; over time only `times` if given."""
         s = self.study(name)
         if "set" in s:
             other = Model(os.path.join(self.dir, self.file), **s["set"]) if hasattr(self, "file") else None
             other.file = self.file
             other.doc["studies"][name] = {k: v for k, v in s.items() if k != "set"}
-            return other.rows(name)
+            return other.rows(name, times)
         hold = {self.index[k]: self.ev(v) for k, v in s.get("hold", {}).items()}
         x, out = self.guess(), []
         if "sweep" in s:
@@ -779,7 +779,6 @@ class Model:
             di = self.index[dr["joint"]]
             rates = {di: (self.ev(dr.get("velocity", 0)), self.ev(dr.get("acceleration", 0))), **{h: (0.0, 0.0) for h in hold}}
             grid = [a + (b - a) * k / (n - 1) for k in range(n)] if n > 1 else [a]
-            x = self.solve_position(x, {i: x[self.nb + i], **hold}) if False else x
             for k, g in enumerate(grid):
                 x = self.track(x, {i: g, **hold}, first=k == 0)
                 c1, c2 = self.solve_rates(x, rates)
@@ -790,8 +789,7 @@ class Model:
         moving = [i for m in names for i, _ in self.motion_of(m, 0.0)]
         drives = [self.index[d] for d in s["drives"]] if "drives" in s else moving
         count = int(round(T / dt))
-        for k in range(count + 1):
-            t = min(k * dt, T)
+        for k, t in enumerate([min(k * dt, T) for k in range(count + 1)] if times is None else times):
             now = dict(p for m in names for p in self.motion_of(m, t))
             x = self.track(x, {**{i: v[0] for i, v in now.items()}, **hold}, first=k == 0)
             c1, c2 = self.solve_rates(x, {**{i: v[1:] for i, v in now.items()}, **{h: (0.0, 0.0) for h in hold}})
