@@ -1,7 +1,8 @@
 //! The assist manipulator's lift: every number of the reference table.
 
 use crate::build::*;
-use bellcrank_multibody::{Actuation, BodyId, Engine, JointKind, engine_for};
+use crate::machines::lift;
+use bellcrank_multibody::{Actuation, BodyId, Engine};
 
 /// θ₃ [°], θ₁ [°], s₂ [mm], ω₃, ω₁, v₄₁, v₄₂, ε₃, ε₁, a₄₁, a₄₂, force without masses, force.
 const TABLE: [[f64; 13]; 5] = [
@@ -23,30 +24,6 @@ const TABLE: [[f64; 13]; 5] = [
         4680.32, 6175.83,
     ],
 ];
-
-pub fn lift(masses: [f64; 3]) -> Box<dyn Engine> {
-    let (l31, l32, l5, l62, l42) = (0.732, 0.16, 0.95, 0.2, 0.1);
-    let [m1, m3, m5] = masses;
-    let (c1, c3, c5) = (l31 / 2.0, l5 / 2.0 - 0.05, l5 / 2.0);
-    let bodies = vec![
-        body(m1, [c1, 0.0], m1 * c1 * c1),
-        body(0.0, [0.0, 0.0], 0.0),
-        body(m3, [c3, 0.0], m3 * c3 * c3),
-        body(0.0, [0.0, 0.0], 0.0),
-        body(m5, [c5, 0.0], m5 * c5 * c5),
-    ];
-    let joints = vec![
-        pin(at(0, 0.0, 0.0, 0.0), at(1, 0.0, 0.0, 0.0)),
-        started(joint(JointKind::Prismatic { axis: X }, at(1, 0.0, 0.0, 0.0), at(2, 0.0, 0.0, 0.0)), &[l31]),
-        started(pin(at(0, 0.0, l32, 0.0), at(3, 0.0, 0.0, 0.0)), &[0.0]),
-        pin(at(0, 0.0, l32 + l62, 0.0), at(5, 0.0, 0.0, 0.0)),
-        pin(at(3, l5, 0.0, 0.0), at(4, 0.0, 0.0, 0.0)),
-        pin(at(5, l5, 0.0, 0.0), at(4, 0.0, l62, 0.0)),
-        pin(at(3, l31, -l32, 0.0), at(2, 0.0, 0.0, 0.0)),
-    ];
-    let load = vec![force(at(4, l42, l62, 0.0), [0.0, -800.0, 0.0])];
-    engine_for(true, &blueprint([0.0, -9.81, 0.0], bodies, joints, load)).expect("builds")
-}
 
 fn table_of(mut e: Box<dyn Engine>) -> Vec<[f64; 13]> {
     e.assemble(&[]).expect("assembles");

@@ -3,6 +3,8 @@
 #![expect(unreachable_pub, reason = "a test binary has no outside")]
 
 mod build;
+mod chain;
 mod lift;
+mod machines;
 mod random;
 mod statics;

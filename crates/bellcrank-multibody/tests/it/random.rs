@@ -5,8 +5,8 @@
 
 use crate::build::*;
 use bellcrank_multibody::{
-    Actuation, Axes, Blueprint, Body, BodyId, BodyMotion, Coordinate, Engine, Force, JointId, JointKind, Place,
-    Value, engine_for,
+    Actuation, Axes, Blueprint, Body, BodyId, BodyMotion, Coordinate, Engine, Force, JointId, JointKind, Place, Value,
+    engine_for,
 };
 
 type Vec3 = [f64; 3];

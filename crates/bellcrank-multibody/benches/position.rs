@@ -1,0 +1,73 @@
+//! One position of the lift, and chains of growing length: position, rates, drive force, every reaction.
+#![expect(missing_docs, reason = "criterion's macros make undocumented items")]
+#![expect(unreachable_pub, reason = "modules shared with the tests")]
+
+#[path = "../tests/it/build.rs"]
+#[expect(dead_code, reason = "the tests use more of it")]
+mod build;
+#[path = "../tests/it/machines.rs"]
+#[expect(dead_code, reason = "the tests use more of it")]
+mod machines;
+
+use bellcrank_math::Planar;
+use bellcrank_multibody::{Actuation, Engine, Machine};
+use build::coordinate;
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+
+const POSITIONS: usize = 601;
+
+fn one(e: &mut Machine<Planar<f64>>, target: f64, rate: f64) -> f64 {
+    e.move_to(0.0, &[target]).expect("moves");
+    e.set_rates(&[rate], &[0.0]).expect("regular");
+    e.solve_forces(&mut |_, _| {}).expect("regular");
+    e.drive(0)
+}
+
+/// The stroke of the paper, −30° to 30° at 20 mm/s, forth and back.
+fn lift(c: &mut Criterion) {
+    let mut e = Machine::<Planar<f64>>::new(machines::lift_blueprint([19.84, 20.8, 19.4])).expect("builds");
+    e.assemble(&[]).expect("assembles");
+    let (lever, slide) = (coordinate(2), coordinate(1));
+    e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives");
+    let angle = |i: usize| (-30.0 + 60.0 * i as f64 / (POSITIONS - 1) as f64).to_radians();
+    one(&mut e, angle(0), 0.02);
+    let mut group = c.benchmark_group("lift");
+    group.throughput(Throughput::Elements(2 * POSITIONS as u64));
+    group.bench_function("stroke forth and back", |b| {
+        b.iter(|| {
+            let forth: f64 = (0..POSITIONS).map(|i| one(&mut e, angle(i), 0.02)).sum();
+            let back: f64 = (0..POSITIONS).rev().map(|i| one(&mut e, angle(i), 0.02)).sum();
+            forth + back
+        });
+    });
+    group.finish();
+}
+
+fn chains(c: &mut Criterion) {
+    let mut group = c.benchmark_group("n-four-bar");
+    group.sample_size(10);
+    for bodies in [11, 101, 1001, 10_001] {
+        let mut e = Machine::<Planar<f64>>::new(machines::chain((bodies - 1) / 2)).expect("builds");
+        e.assemble(&[]).expect("assembles");
+        let first = coordinate(0);
+        let list = vec![first];
+        e.prepare(&Actuation { position: list.clone(), rate: list.clone(), effort: list }).expect("drives");
+        for i in 0..5 {
+            one(&mut e, 1.3 - 0.001 * f64::from(i), 0.7);
+        }
+        let mut step = 0;
+        group.throughput(Throughput::Elements(bodies as u64));
+        group.bench_function(BenchmarkId::from_parameter(bodies), |b| {
+            b.iter(|| {
+                // A zigzag between 1.3 and 1.2 rad in steps of 0.001.
+                step = (step + 1) % 200;
+                let k = if step < 100 { step } else { 200 - step };
+                one(&mut e, 1.3 - 0.001 * f64::from(k), 0.7)
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, lift, chains);
+criterion_main!(benches);
