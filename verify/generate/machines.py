@@ -53,6 +53,8 @@ def rates(f, x, w, al):
     h = mp.mpf(10) ** -10
     v = [f(x + k * h) for k in (-3, -2, -1, 0, 1, 2, 3)]
     n = range(len(v[0]))
+    turns = lambda a, b: 2 * mp.pi * mp.nint((a - b) / (2 * mp.pi)) if abs(a - b) > 6 else 0  # angles do not jump
+    v = [[q[i] - turns(q[i], v[3][i]) for i in n] for q in v]
     d1 = [(-v[0][i] + 9 * v[1][i] - 45 * v[2][i] + 45 * v[4][i] - 9 * v[5][i] + v[6][i]) / (60 * h) for i in n]
     d2 = [(2 * v[0][i] - 27 * v[1][i] + 270 * v[2][i] - 490 * v[3][i] + 270 * v[4][i] - 27 * v[5][i] + 2 * v[6][i]) / (180 * h * h) for i in n]
     return [np.array([float(q) for q in s]) for s in (v[3], [a * w for a in d1], [a * al + b * w * w for a, b in zip(d1, d2)], d1)]

@@ -166,6 +166,15 @@ def profile(kind, u):
             s, v, a = profile(kind, 1 - u)
             return 1 - s, v, -a
         return (2.25 * u * u, 4.5 * u, 4.5) if u < 1 / 3 else (0.25 + 1.5 * (u - 1 / 3), 1.5, 0.0)
+    if kind == "s-curve":  # thirds, the accelerations ramped over a ninth, held a ninth, ramped a ninth
+        if u > 0.5:
+            s, v, a = profile(kind, 1 - u)
+            return 1 - s, v, -a
+        j, n = 60.75, 1 / 9
+        ramp = lambda x: max(0.0, x)
+        s = sum(k * j * ramp(u - i * n) ** 3 / 6 for i, k in enumerate((1, -1, -1, 1)))
+        return (s, sum(k * j * ramp(u - i * n) ** 2 / 2 for i, k in enumerate((1, -1, -1, 1))),
+                sum(k * j * ramp(u - i * n) for i, k in enumerate((1, -1, -1, 1))))
     raise ValueError(kind)
 
 
@@ -759,10 +768,18 @@ class Model:
                     return [(i, (q0 + D * f, D * fd / T, D * fdd / T / T))]
                 t0, q0 = t0 + T, target
             return [(i, (q0, 0.0, 0.0))]
+        if "table" in m:  # through the points: cubic spline, not-a-knot
+            from scipy.interpolate import CubicSpline
+            with open(os.path.join(self.dir, m["table"])) as f:
+                lines = [r for r in csv.reader(f)]
+            unit = [UNITS[re.search(r"\[(\w+)\]", h).group(1)] for h in lines[0]]
+            xy = np.array([[float(c) for c in r] for r in lines[1:]]) * unit
+            s = CubicSpline(xy[:, 0], xy[:, 1], bc_type="not-a-knot")
+            return [(i, (float(s(t)), float(s(t, 1)), float(s(t, 2))))]
         raise ValueError(m)
 
     def rows(self, name, times=None):
-        """All rows of a kinematics / inverse-dynamics study, as signal dictionaries; over time only `times` if given."""
+        """All rows of a kinematics / inverse-dynamics study, as signal dictionaries; only at `times` (or sweep places) if given."""
         s = self.study(name)
         if "set" in s:
             other = Model(os.path.join(self.dir, self.file), **s["set"]) if hasattr(self, "file") else None
@@ -779,7 +796,7 @@ class Model:
             di = self.index[dr["joint"]]
             rates = {di: (self.ev(dr.get("velocity", 0)), self.ev(dr.get("acceleration", 0))), **{h: (0.0, 0.0) for h in hold}}
             grid = [a + (b - a) * k / (n - 1) for k in range(n)] if n > 1 else [a]
-            for k, g in enumerate(grid):
+            for k, g in enumerate(grid if times is None else sorted(times, key=lambda p: abs(p - a))):
                 x = self.track(x, {i: g, **hold}, first=k == 0)
                 c1, c2 = self.solve_rates(x, rates)
                 out.append(self.state(x, c1, c2, [di] + list(hold)))
@@ -795,6 +812,31 @@ class Model:
             c1, c2 = self.solve_rates(x, {**{i: v[1:] for i, v in now.items()}, **{h: (0.0, 0.0) for h in hold}})
             out.append(self.state(x, c1, c2, drives + list(hold), time=t))
         return out
+
+    def rest(self, name, free):
+        """Equilibrium: the efforts that would hold the coordinates `free` vanish (Newton by differences from their starts)."""
+        s = self.study(name)
+        if "set" in s:
+            other = Model(os.path.join(self.dir, self.file), **s["set"])
+            other.file = self.file
+            other.doc["studies"][name] = {k: v for k, v in s.items() if k != "set"}
+            return other.rest(name, free)
+        from scipy.optimize import root
+        held = {self.index[k]: self.ev(v) for k, v in s.get("hold", {}).items()}
+        idx = [self.index[k] for k in free]
+        x = self.guess()
+        last = {}
+
+        def at(z):
+            last["x"] = self.solve_position(last.get("x", x), {**dict(zip(idx, z)), **held})
+            none = np.zeros(self.n)
+            return self.state(last["x"], none, none, idx + list(held))
+
+        names = [f"drive.{k}.force" for k in free]
+        if not free:
+            return at([])
+        z = root(lambda z: [at(z)[n] for n in names], [x[self.nb + i] for i in idx], tol=1e-14, method="hybr").x
+        return at(z)
 
     def track(self, x, target, first, parts=1):
         if first:
