@@ -115,6 +115,7 @@ fn holds(key: &Value) -> String {
 fn of_type(key: &Value) -> String {
     match key.get("type").and_then(Value::as_str) {
         Some("array") => list(key),
+        Some("object") if key.get("additionalProperties").is_some_and(is_table) => "named tables".to_owned(),
         Some("object") => "a table".to_owned(),
         Some("integer") => "a whole number".to_owned(),
         Some("boolean") => "`true` or `false`".to_owned(),

@@ -7,7 +7,7 @@ use clap_complete::Shell;
 
 /// From a model file to motion, forces and a report, for any closed-loop mechanism.
 #[derive(Debug, Parser)]
-#[command(name = "bellcrank", version, about, arg_required_else_help = true, after_help = EXIT_CODES)]
+#[command(name = "bellcrank", version, arg_required_else_help = true, after_help = EXIT_CODES)]
 pub(crate) struct Args {
     /// When to use colour.
     #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]

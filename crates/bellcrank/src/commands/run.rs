@@ -96,7 +96,7 @@ fn whereabouts(out: &Path, files: usize) -> String {
 fn tell_failures(result: &RunResult, console: &Console) {
     for study in &result.studies {
         if let Some(failure) = &study.failure {
-            console.error(&format!("study `{}`: {}", study.name, failure.message), &failure.hints);
+            console.error(&failure.message, &failure.hints);
         }
     }
 }

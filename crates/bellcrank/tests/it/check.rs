@@ -17,7 +17,7 @@ fn as_data() {
     let output = sandbox.run(&["check", "lift.toml", "--json"]);
     assert_eq!(output.status.code(), Some(0));
     let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(printed["degrees"], 1, "{printed:#}");
+    assert_eq!(printed["degrees_of_freedom"]["computed"], 1, "{printed:#}");
 }
 
 #[test]

@@ -7,7 +7,8 @@ use crate::snapshot;
 
 /// Four slips in one file.
 fn slips() -> String {
-    let text = LIFT.replace("l32 = { value = \"160 mm\"", "l32 = { value = \"160 mmm\"");
+    let first_studies = LIFT.split("[studies.influence]").next().unwrap();
+    let text = first_studies.replace("l32 = { value = \"160 mm\"", "l32 = { value = \"160 mmm\"");
     let text = text.replace("m3  = \"20.8 kg\"", "m3  = \"20.8 kg + 2 mm\"");
     let text = text.replace("\"link3.N\", \"link2.N\"", "\"link3.M\", \"link2.N\"");
     text.replace("kind  = \"inverse-dynamics\"", "kind  = \"inverse-dynamic\"")
@@ -70,19 +71,25 @@ fn a_directory_that_cannot_be_written() {
 #[test]
 fn a_sweep_that_cannot_reach_its_end_keeps_what_it_has() {
     let sandbox = Sandbox::new("wrong-sweep");
-    sandbox.write(
-        "lift.toml",
-        LIFT.replacen("to = \"30 deg\", points = 601", "to = \"150 deg\", points = 181", 1) + SHORT,
-    );
-    snapshot::check("wrong-sweep", &sandbox, &["run", "lift.toml", "lift", "short"]);
-    let rows = sandbox.read("results/lift/lift/series.csv").lines().count();
-    assert!((100..180).contains(&rows), "{rows} lines");
+    sandbox.write("lift.toml", LIFT.to_owned() + TOO_SHORT);
+    snapshot::check("wrong-sweep", &sandbox, &["run", "lift.toml", "retract", "short"]);
+    let rows = sandbox.read("results/lift/retract/series.csv").lines().count();
+    assert!((140..233).contains(&rows), "{rows} lines");
     assert_eq!(sandbox.read("results/lift/short/series.csv").lines().count(), 4);
-    let quiet = sandbox.run(&["run", "lift.toml", "--quiet"]);
-    assert_eq!(quiet.status.code(), Some(3));
-    assert!(text(&quiet.stderr).contains("study `lift`"));
+    for way in ["--quiet", "--json"] {
+        let output = sandbox.run(&["run", "lift.toml", "retract", way]);
+        assert_eq!(output.status.code(), Some(3));
+        assert!(text(&output.stderr).contains("study `retract`"), "{way}");
+    }
 }
 
-/// A study that gets through beside one that does not.
-const SHORT: &str =
-    "\n[studies.short]\nkind = \"kinematics\"\nsweep = { joint = \"B\", from = 0, to = \"10 deg\", points = 3 }\n";
+/// A cylinder that cannot be as short as asked, and beside it a study that gets through.
+const TOO_SHORT: &str = r#"
+[studies.retract]
+kind = "inverse-dynamics"
+sweep = { joint = "slide", from = "732 mm", to = "500 mm", points = 233 }
+
+[studies.short]
+kind = "kinematics"
+sweep = { joint = "B", from = 0, to = "10 deg", points = 3 }
+"#;
