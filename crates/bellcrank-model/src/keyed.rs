@@ -72,7 +72,11 @@ impl<'a> Keyed<'a> {
     pub(crate) fn quantity(&self, name: &'static str) -> Option<Expression> {
         let key = self.key(name)?;
         let Shape::Value(dimension) = key.shape else { return None };
-        if key.required { self.fields.quantity(name, dimension) } else { self.fields.optional_quantity(name, dimension) }
+        if key.required {
+            self.fields.quantity(name, dimension)
+        } else {
+            self.fields.optional_quantity(name, dimension)
+        }
     }
 
     /// A value over the parameters, along a joint coordinate.
@@ -80,7 +84,11 @@ impl<'a> Keyed<'a> {
         let key = self.key(name)?;
         let Shape::Along(along) = key.shape else { return None };
         let dimension = along.dimension(motion);
-        if key.required { self.fields.quantity(name, dimension) } else { self.fields.optional_quantity(name, dimension) }
+        if key.required {
+            self.fields.quantity(name, dimension)
+        } else {
+            self.fields.optional_quantity(name, dimension)
+        }
     }
 
     /// A value over parameters and signals; `motion` is that of the joint coordinate it belongs to, if any.

@@ -44,10 +44,7 @@ fn read(
     let files = read_files(sources, path, overrides, diagnostics)?;
     let texts: Vec<SourceId> = files.parts.iter().map(|part| part.table.span.source).collect();
     let read = read_model(files, &Tables::new(sources), diagnostics)?;
-    // Numbers are looked at only when all of them could be read.
-    if !diagnostics.has_errors() {
-        evaluate(&read, diagnostics);
-    }
+    evaluate(&read, diagnostics);
     let ReadModel { title, design, studies } = read;
     let name = path.file_stem().map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned());
     let file = path.display().to_string();
@@ -55,11 +52,7 @@ fn read(
     Model::new(Parts { title: title.unwrap_or_else(|| name.clone()), name, file, hash, design, studies })
 }
 
-fn arguments(
-    overrides: &[(String, String)],
-    sources: &mut Sources,
-    diagnostics: &mut Diagnostics,
-) -> Vec<Override> {
+fn arguments(overrides: &[(String, String)], sources: &mut Sources, diagnostics: &mut Diagnostics) -> Vec<Override> {
     let mut read = Vec::new();
     for (name, value) in overrides {
         match Override::from_argument(sources, &format!("{name}={value}")) {
@@ -70,25 +63,30 @@ fn arguments(
     read
 }
 
-/// Checks the numbers of the model and of each study that changes some.
+/// Checks the numbers of the model and of each study that changes some, as far as they could be read.
 fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
     let main = &read.design.scopes[0].parameters;
     let values = Values::new(&read.design.scopes, main);
-    let mut found = faults(&read.design, &values);
+    // A mechanism is made only of what was read without an error.
+    let whole = !diagnostics.has_errors();
+    let mut found = faults(&read.design, &values, whole);
     for study in &read.studies {
-        let in_study = if study.changed.is_empty() { Vec::new() } else { faults(&read.design, &study.values) };
+        let in_study = if study.changed.is_empty() { Vec::new() } else { faults(&read.design, &study.values, whole) };
         // What is wrong without the study, too, has been told.
         let new = in_study.into_iter().filter(|fault| !found.contains(fault)).collect::<Vec<_>>();
         found.extend(new.into_iter().map(|fault| with_study(fault, study)));
         found.extend(study.faults(&read.design));
     }
-    found.extend(check_connected(&read.design));
+    if whole {
+        found.extend(check_connected(&read.design));
+    }
     found.into_iter().for_each(|fault| diagnostics.push(fault));
 }
 
-fn faults(design: &Design, values: &Values) -> Vec<Diagnostic> {
+fn faults(design: &Design, values: &Values, whole: bool) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
     if let Some(built) = build::build(design, values, &mut faults)
+        && whole
         && let Err(fault) = build::engine(design, &built)
     {
         faults.push(*fault);

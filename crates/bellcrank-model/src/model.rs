@@ -235,12 +235,7 @@ fn left_out(study: &Study) -> String {
 }
 
 /// One parameter of a set, as results tell it.
-pub(crate) fn parameter_row(
-    design: &Design,
-    set: &ParameterSet,
-    index: usize,
-    prefix: &str,
-) -> Option<ParameterRow> {
+pub(crate) fn parameter_row(design: &Design, set: &ParameterSet, index: usize, prefix: &str) -> Option<ParameterRow> {
     let parameter = set.all().get(index)?;
     Some(ParameterRow {
         name: format!("{prefix}{}", parameter.name),

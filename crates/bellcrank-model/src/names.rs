@@ -60,8 +60,7 @@ impl Index {
     /// The report that there is no such `what`; names are shown as the file with this prefix writes them.
     pub(crate) fn unknown(&self, full: &str, prefix: &str, what: &str, span: Span) -> Diagnostic {
         let local = |name: &str| name.strip_prefix(prefix).unwrap_or(name).to_owned();
-        let report =
-            Diagnostic::error("unknown-name", span, format!("there is no {what} `{}`", local(full)));
+        let report = Diagnostic::error("unknown-name", span, format!("there is no {what} `{}`", local(full)));
         match self.nearest(full) {
             Some(near) => report.hint(format!("did you mean `{}`?", local(near))),
             None => report.hint(self.inventory(prefix, what)),

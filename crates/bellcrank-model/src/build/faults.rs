@@ -21,21 +21,22 @@ pub(super) fn report(design: &Design, error: &BuildError) -> Diagnostic {
             Diagnostic::error("not-in-plane", at(id), format!("the axis of {} leaves the plane", named(id)))
         }
         BuildError::NotPerpendicular { joint: id, angle } => {
-            let message = format!(
-                "the axes of {} are not perpendicular: {:.3} deg between them",
-                named(id),
-                angle.to_degrees()
-            );
+            let message =
+                format!("the axes of {} are not perpendicular: {:.3} deg between them", named(id), angle.to_degrees());
             Diagnostic::error("not-perpendicular", at(id), message)
                 .hint("`axis` in the first point's frame and `axis2` in the second's are perpendicular at zero angles")
         }
         BuildError::Places(id) => Diagnostic::error("wrong-length", at(id), format!("{} needs two points", named(id))),
-        BuildError::Dangling(id) => {
-            Diagnostic::error("no-coordinate", at(id), format!("{} refers to a coordinate that is not there", named(id)))
-        }
-        BuildError::NoCoordinate(c) => {
-            Diagnostic::error("no-coordinate", at(&c.joint), format!("{} has no coordinate {}", named(&c.joint), c.index))
-        }
+        BuildError::Dangling(id) => Diagnostic::error(
+            "no-coordinate",
+            at(id),
+            format!("{} refers to a coordinate that is not there", named(id)),
+        ),
+        BuildError::NoCoordinate(c) => Diagnostic::error(
+            "no-coordinate",
+            at(&c.joint),
+            format!("{} has no coordinate {}", named(&c.joint), c.index),
+        ),
         BuildError::Attitude(c) => attitude(*c, named(&c.joint), at(&c.joint)),
     }
 }

@@ -9,10 +9,7 @@ use crate::geometry::Extent;
 type Points = [Vec<Place<f64>>];
 
 /// The elements, and what the length of each is.
-pub(super) fn forces(
-    numbers: &mut Numbers<'_>,
-    points: &Points,
-) -> (Vec<ForceNumbers<f64>>, Vec<Option<Extent>>) {
+pub(super) fn forces(numbers: &mut Numbers<'_>, points: &Points) -> (Vec<ForceNumbers<f64>>, Vec<Option<Extent>>) {
     let design = numbers.design;
     let one = |force: &Force| (element(numbers, force, points), extent(&force.shape, points));
     design.forces.iter().map(one).unzip()

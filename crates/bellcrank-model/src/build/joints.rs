@@ -31,9 +31,7 @@ fn kind(numbers: &mut Numbers<'_>, joint: &Joint) -> JointKind<f64> {
             let axis = axis_of(axis);
             JointKind::Screw { axis, pitch: numbers.number(pitch, &format!("`pitch` of joint `{}`", joint.name)) }
         }
-        JointShape::Universal { axis, axis2 } => {
-            JointKind::Universal { axis: axis_of(axis), axis2: axis_of(axis2) }
-        }
+        JointShape::Universal { axis, axis2 } => JointKind::Universal { axis: axis_of(axis), axis2: axis_of(axis2) },
         JointShape::Spherical => JointKind::Spherical,
         JointShape::Planar => JointKind::Planar,
         JointShape::Free => JointKind::Free,

@@ -72,7 +72,8 @@ impl Check {
     }
 
     fn loops_closed(&self) -> String {
-        let closing: Vec<&str> = self.joints.iter().filter(|joint| joint.closes).map(|joint| joint.name.as_str()).collect();
+        let closing: Vec<&str> =
+            self.joints.iter().filter(|joint| joint.closes).map(|joint| joint.name.as_str()).collect();
         match closing.is_empty() {
             true => format!("{}", self.loops),
             false => format!("{}, closed by {}", self.loops, closing.join(", ")),
@@ -117,7 +118,8 @@ fn space(kind: SpaceKind) -> &'static str {
 
 fn body_line(body: &BodyFact) -> String {
     let mass = if body.mass > 0.0 { format!("{} kg", body.mass) } else { "massless".to_owned() };
-    let joints = if body.joints.is_empty() { "no joints".to_owned() } else { format!("joints {}", body.joints.join(", ")) };
+    let joints =
+        if body.joints.is_empty() { "no joints".to_owned() } else { format!("joints {}", body.joints.join(", ")) };
     format!("  {:<16}{mass:<14}{joints}", body.name)
 }
 

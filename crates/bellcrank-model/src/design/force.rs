@@ -33,11 +33,34 @@ pub(crate) struct Force {
 /// What a force element does.
 #[derive(Debug)]
 pub(crate) enum ForceShape {
-    Point { at: PointRef, vector: [Load; 3], axes: Axes },
-    Torque { on: usize, vector: [Load; 3], axes: Axes },
-    Effort { coordinate: Coordinate, value: Load },
-    Spring { between: [PointRef; 2], stiffness: Load, damping: Load, free_length: Load, preload: Load },
-    JointSpring { coordinate: Coordinate, stiffness: Load, damping: Load, free_position: Load, preload: Load },
+    Point {
+        at: PointRef,
+        vector: [Load; 3],
+        axes: Axes,
+    },
+    Torque {
+        on: usize,
+        vector: [Load; 3],
+        axes: Axes,
+    },
+    Effort {
+        coordinate: Coordinate,
+        value: Load,
+    },
+    Spring {
+        between: [PointRef; 2],
+        stiffness: Load,
+        damping: Load,
+        free_length: Load,
+        preload: Load,
+    },
+    JointSpring {
+        coordinate: Coordinate,
+        stiffness: Load,
+        damping: Load,
+        free_position: Load,
+        preload: Load,
+    },
     Friction {
         coordinate: Coordinate,
         coulomb: Load,
@@ -46,8 +69,18 @@ pub(crate) enum ForceShape {
         viscous: Load,
         radius: Option<Load>,
     },
-    Stop { coordinate: Coordinate, min: Option<Load>, max: Option<Load>, stiffness: Load, damping: Load },
-    Bushing { between: [PointRef; 2], stiffness: [Load; 6], damping: [Load; 6] },
+    Stop {
+        coordinate: Coordinate,
+        min: Option<Load>,
+        max: Option<Load>,
+        stiffness: Load,
+        damping: Load,
+    },
+    Bushing {
+        between: [PointRef; 2],
+        stiffness: [Load; 6],
+        damping: [Load; 6],
+    },
 }
 
 impl ForceShape {

@@ -79,11 +79,7 @@ fn cycloidal(t: f64) -> Jet {
 
 fn poly5(t: f64) -> Jet {
     let rest = 1.0 - t;
-    Jet::new(
-        t * t * t * (10.0 + t * (6.0 * t - 15.0)),
-        30.0 * t * t * rest * rest,
-        60.0 * t * rest * (1.0 - 2.0 * t),
-    )
+    Jet::new(t * t * t * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t * t * rest * rest, 60.0 * t * rest * (1.0 - 2.0 * t))
 }
 
 fn mirrored(pieces: &[Piece], t: f64) -> Jet {

@@ -214,7 +214,9 @@ impl Expander<'_> {
         let outer = &self.scopes[given.parent.0].parameters;
         let reader = Reader::new(outer);
         let mut set = Vec::new();
-        if let Some(fields) = reader.fields(&entry.value, &format!("`set` of subsystem `{}`", prefix.trim_end_matches('.'))) {
+        if let Some(fields) =
+            reader.fields(&entry.value, &format!("`set` of subsystem `{}`", prefix.trim_end_matches('.')))
+        {
             for entry in fields.table().iter() {
                 set.extend(one_set(&reader, inner, entry));
             }

@@ -59,9 +59,8 @@ fn open<'a>(part: PartReader<'a>, machine: &Machine, entry: &'a Entry) -> Option
 }
 
 fn layout(planar: bool, machine: &Machine, forces: &[Opened<'_>]) -> Layout {
-    let body = |body: &crate::design::Body| {
-        (body.name.clone(), body.points.iter().map(|point| point.name.clone()).collect())
-    };
+    let body =
+        |body: &crate::design::Body| (body.name.clone(), body.points.iter().map(|point| point.name.clone()).collect());
     let joint = |joint: &crate::design::Joint| JointLayout {
         name: joint.name.clone(),
         coordinates: joint.coordinates(planar),
@@ -139,7 +138,8 @@ impl Loads<'_> {
     fn vector(&mut self, force: &Opened<'_>, name: &'static str) -> Option<[Load; 3]> {
         let value = force.keyed.value(name)?;
         let read = self.with(force.part, value, |signals| force.keyed.signal_vector(name, signals))?;
-        let mut loads = read.into_iter().map(|expression| self.load(force.part, expression)).collect::<Vec<_>>().into_iter();
+        let mut loads =
+            read.into_iter().map(|expression| self.load(force.part, expression)).collect::<Vec<_>>().into_iter();
         Some(std::array::from_fn(|_| loads.next().unwrap_or(Load::Absent(0.0))))
     }
 

@@ -200,8 +200,7 @@ fn coupled(part: PartReader<'_>, machine: &Machine, keyed: &Keyed<'_>) -> Option
         keyed.report(Diagnostic::error("wrong-length", keyed.span(), message));
         return None;
     }
-    let read: Vec<Option<(Coordinate, Motion)>> =
-        names.iter().map(|name| part.coordinate(machine, *name)).collect();
+    let read: Vec<Option<(Coordinate, Motion)>> = names.iter().map(|name| part.coordinate(machine, *name)).collect();
     match read.as_slice() {
         [Some(a), Some(b)] if a.0 == b.0 => {
             let span: Span = names[1].span;

@@ -56,11 +56,7 @@ fn read_motion(part: PartReader<'_>, machine: &Machine, tables: &Tables<'_>, ent
     let target = keyed.text("joint").and_then(|name| target(part, machine, &keyed, name));
     let law = target.as_ref().and_then(|target| law(part, &keyed, target, tables));
     keyed.finish();
-    Some(Prescribed {
-        name: part.full(&entry.key),
-        coordinates: target?.coordinates,
-        law: law?,
-    })
+    Some(Prescribed { name: part.full(&entry.key), coordinates: target?.coordinates, law: law? })
 }
 
 /// A list of expressions moves all coordinates of a joint; everything else moves one.
@@ -115,7 +111,8 @@ fn segments(part: PartReader<'_>, keyed: &Keyed<'_>, motion: Motion) -> Option<L
     if list.is_empty() {
         keyed.report(Diagnostic::error("wrong-length", value.span, format!("{what} is empty")));
     }
-    let one = |(i, value): (usize, &Value)| segment(part, value, &format!("segment {} of {}", i + 1, keyed.what()), motion);
+    let one =
+        |(i, value): (usize, &Value)| segment(part, value, &format!("segment {} of {}", i + 1, keyed.what()), motion);
     // All are read before giving up, for the errors of each.
     let read: Vec<Option<Segment>> = list.iter().enumerate().map(one).collect();
     Some(Law::Segments(read.into_iter().collect::<Option<Vec<_>>>()?))

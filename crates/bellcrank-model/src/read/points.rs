@@ -47,7 +47,8 @@ fn read_point(part: PartReader<'_>, entry: &Entry, owner: &Owner) -> Option<Poin
         keyed.finish();
     } else {
         let dimensions = vec![bellcrank_doc::Dimension::LENGTH; part.space()];
-        point.at = part.reader.vector(&entry.value, &what, &dimensions).map(|at| part.quantities(at)).unwrap_or_default();
+        point.at =
+            part.reader.vector(&entry.value, &what, &dimensions).map(|at| part.quantities(at)).unwrap_or_default();
     }
     Some(point)
 }

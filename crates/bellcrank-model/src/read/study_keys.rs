@@ -128,8 +128,7 @@ fn read_holds(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<
 }
 
 fn held_at(value: &Value, what: &str, coordinates: &[(Coordinate, Motion)], of: Referred<'_>) -> Vec<Hold> {
-    let dimensions: Vec<Dimension> =
-        coordinates.iter().map(|(_, motion)| Along::Position.dimension(*motion)).collect();
+    let dimensions: Vec<Dimension> = coordinates.iter().map(|(_, motion)| Along::Position.dimension(*motion)).collect();
     let reader = of.part.reader;
     let places = match dimensions.as_slice() {
         [one] if value.as_list().is_none() => reader.quantity(value, what, *one).map(|place| vec![place]),
@@ -193,7 +192,8 @@ fn check_later(keyed: &Keyed<'_>, of: Referred<'_>) -> Vec<usize> {
     each(keyed, "subject_to", |value, what| {
         of.part.reader.constraint(value, what, &mut signals);
     });
-    let named = ["parameters", "variables", "tolerances"].into_iter().flat_map(|key| parameters(keyed, key, of)).collect();
+    let named =
+        ["parameters", "variables", "tolerances"].into_iter().flat_map(|key| parameters(keyed, key, of)).collect();
     for key in ["starts", "seed", "samples"] {
         keyed.whole(key);
     }

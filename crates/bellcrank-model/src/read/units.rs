@@ -22,8 +22,12 @@ fn one(keyed: &Keyed<'_>, name: &'static str, measure: Measure) -> Option<Unit> 
     match unit(written.value) {
         Ok(unit) if unit.dimension.agrees(wanted) && unit.offset == 0.0 => Some(Unit::new(written.value, unit.factor)),
         Ok(unit) => {
-            let message =
-                format!("{} needs a unit of {}, found one of {}", keyed.named(name), wanted.phrase(), unit.dimension.phrase());
+            let message = format!(
+                "{} needs a unit of {}, found one of {}",
+                keyed.named(name),
+                wanted.phrase(),
+                unit.dimension.phrase()
+            );
             keyed.report(Diagnostic::error("wrong-dimension", written.span, message));
             None
         }

@@ -112,7 +112,10 @@ fn explain(namer: &Namer<'_>, error: &MechanismError) -> (String, Vec<String>) {
             vec!["a coordinate has one motion, or one `hold`, or is the swept one".to_owned()],
         ),
         MechanismError::AttitudeAlone(c) => (
-            format!("`{}` is one of the angles of free turning, which cannot be prescribed alone", namer.coordinate(*c)),
+            format!(
+                "`{}` is one of the angles of free turning, which cannot be prescribed alone",
+                namer.coordinate(*c)
+            ),
             vec!["give a motion or `hold` for all angles of that joint, or use hinges in a row".to_owned()],
         ),
         MechanismError::Stopped { coordinate, reached, asked, mobile, .. } => {
@@ -154,7 +157,8 @@ fn not_assembled(namer: &Namer<'_>, gap: f64, open: &[(JointId, f64, f64)]) -> (
         format!("`{}` ({})", namer.joint(*joint), parts.join(", "))
     });
     let open = enumerated(joints.collect());
-    let message = format!("the mechanism cannot be assembled: a gap of {} stays, open joints {open}", namer.length(gap));
+    let message =
+        format!("the mechanism cannot be assembled: a gap of {} stays, open joints {open}", namer.length(gap));
     let hints = vec![
         "check the lengths: can the loop be closed at all?".to_owned(),
         "give `start` values near the position you mean".to_owned(),

@@ -98,11 +98,7 @@ impl<'d> Session<'d> {
 
     /// Assembles with as much held as can be: first all of `wished`, then only what is `needed`. Starts that the
     /// file wants held exactly come before what a study would like.
-    pub(super) fn assemble(
-        &mut self,
-        needed: &[(Coordinate, f64)],
-        wished: &[(Coordinate, f64)],
-    ) -> Result<(), End> {
+    pub(super) fn assemble(&mut self, needed: &[(Coordinate, f64)], wished: &[(Coordinate, f64)]) -> Result<(), End> {
         let exact_starts = self.built.blueprint.joints.iter().any(|joint| joint.at_start);
         let all: Vec<(Coordinate, f64)> = needed.iter().chain(wished).copied().collect();
         let first = if exact_starts { needed } else { &all };

@@ -79,11 +79,15 @@ fn rows(session: &mut Session<'_>, plan: &Plan<'_>, progress: &mut dyn Progress,
         let before = targets[0];
         targets[0] = position(from, to, row, last);
         let now = targets[0];
-        let between = || format!("{} between {} and {}", namer.signal(swept), namer.place(swept, before), namer.place(swept, now));
+        let between = || {
+            format!("{} between {} and {}", namer.signal(swept), namer.place(swept, before), namer.place(swept, now))
+        };
         let here = || format!("{} = {}", namer.signal(swept), namer.place(swept, now));
         let moved = session.move_to(0.0, &targets, &here)?;
         if moved.passed_change_point {
-            session.notes.add("a change point was passed: the branch of the mechanism is not certain beyond it", &between);
+            session
+                .notes
+                .add("a change point was passed: the branch of the mechanism is not certain beyond it", &between);
         }
         let moved = session.solve_row(&velocity, &acceleration, &here);
         if moved.passed_dead_position && row > 0 {

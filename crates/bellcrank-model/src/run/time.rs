@@ -138,7 +138,8 @@ fn warn_of_short_tables(session: &mut Session<'_>, motions: &[&Prescribed], dura
         {
             let (from, to) = spline.span();
             let (from, to) = (session.shown(from, Measure::Time), session.shown(to, Measure::Time));
-            let message = format!("motion `{}` has a table from {from} to {to}; outside of it the joint rests", motion.name);
+            let message =
+                format!("motion `{}` has a table from {from} to {to}; outside of it the joint rests", motion.name);
             session.result.warnings.push(message);
         }
     }

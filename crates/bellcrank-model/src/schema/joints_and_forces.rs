@@ -125,7 +125,10 @@ pub(crate) static FORCE: Schema = Schema {
         kind(
             "effort",
             "along a joint coordinate",
-            &[COORDINATE, Key::required("value", Shape::Along(Along::Effort), "pushes the coordinate up when positive")],
+            &[
+                COORDINATE,
+                Key::required("value", Shape::Along(Along::Effort), "pushes the coordinate up when positive"),
+            ],
         ),
         kind(
             "spring",

@@ -2,9 +2,7 @@
 
 use bellcrank_doc::Dimension as D;
 
-use super::keys::Shape::{
-    Later, Map, Name, NamesOrMap, Names, OneOf, Response, Responses, Table, Value, Whole,
-};
+use super::keys::Shape::{Later, Map, Name, Names, NamesOrMap, OneOf, Response, Responses, Table, Value, Whole};
 use super::keys::{Key, Kind, Schema, Shape};
 use super::tables::{DRIVE, SWEEP};
 

@@ -4,8 +4,8 @@ use bellcrank_doc::Dimension as D;
 
 use super::joints_and_forces::{FORCE, JOINT};
 use super::keys::Shape::{
-    Axis, Later, List, Map, Name, Named, OneOf, Parameters, Points, Table, Tables, Text, Value, Values, Vector, Version,
-    Whole,
+    Axis, Later, List, Map, Name, Named, OneOf, Parameters, Points, Table, Tables, Text, Value, Values, Vector,
+    Version, Whole,
 };
 use super::keys::{Along, Key, Schema, Shape};
 use super::studies::STUDY;

@@ -1,0 +1,11 @@
+//! The crate from outside: diagnostics, runs, random files.
+
+mod cases;
+mod files;
+mod format;
+mod lift;
+mod random;
+mod studies;
+mod subsystems;
+mod suite;
+mod support;
