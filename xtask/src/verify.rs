@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
 
 use bellcrank_model::verify::{CaseReport, Comparison, run_case};
 
@@ -12,8 +13,7 @@ const PAGE: &str = "docs/validation/verification.md";
 
 /// Prints the worst number of each case and what went wrong; `--page` writes the page with all of them.
 pub(crate) fn run(arguments: &[String]) -> Outcome {
-    let reports: Vec<CaseReport> = folders().iter().map(|folder| run_case(folder)).collect();
-    reports.iter().for_each(|report| print!("{}", line(report)));
+    let reports: Vec<CaseReport> = folders().iter().map(|folder| told(folder)).collect();
     println!("{}", counts(&reports));
     if arguments.iter().any(|argument| argument == "--page") {
         std::fs::write(root().join(PAGE), page(&reports)).map_err(|error| format!("{PAGE}: {error}"))?;
@@ -22,6 +22,17 @@ pub(crate) fn run(arguments: &[String]) -> Outcome {
         0 => Ok(()),
         failed => Err(format!("{failed} of {} cases failed", reports.len())),
     }
+}
+
+/// Runs a case and prints its line at once; a panic in one does not hide the others.
+fn told(folder: &Path) -> CaseReport {
+    let report = catch_unwind(|| run_case(folder)).unwrap_or_else(|_| CaseReport {
+        name: folder.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        faults: vec!["the program panicked".to_owned()],
+        ..CaseReport::default()
+    });
+    print!("{}", line(&report));
+    report
 }
 
 /// Folders that hold reference numbers, cases first.
