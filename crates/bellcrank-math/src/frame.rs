@@ -18,7 +18,7 @@ impl<S: Space> Frame<S> {
         Self { rotation: S::identity(), origin: S::Vector::default() }
     }
     /// `X_WG = X_WF X_FG`.
-    #[inline]
+    #[inline(always)]
     pub fn then(&self, inner: &Self) -> Self {
         Self { rotation: S::compose(&self.rotation, &inner.rotation), origin: self.at(inner.origin) }
     }
@@ -28,7 +28,7 @@ impl<S: Space> Frame<S> {
         Self { origin: -S::rotate(&rotation, self.origin), rotation }
     }
     /// Place in W of a point given in F, m.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, p_f: S::Vector) -> S::Vector {
         self.origin + S::rotate(&self.rotation, p_f)
     }

@@ -28,50 +28,50 @@ impl<T: Real> Space for Planar<T> {
     fn identity() -> Turn<T> {
         Turn { cos: T::one(), sin: T::zero() }
     }
-    #[inline]
+    #[inline(always)]
     fn compose(a: &Turn<T>, b: &Turn<T>) -> Turn<T> {
         Turn { cos: a.cos * b.cos - a.sin * b.sin, sin: a.sin * b.cos + a.cos * b.sin }
     }
     fn transpose(r: &Turn<T>) -> Turn<T> {
         Turn { cos: r.cos, sin: -r.sin }
     }
-    #[inline]
+    #[inline(always)]
     fn rotate(r: &Turn<T>, v: Vector<T, 2>) -> Vector<T, 2> {
         Vector([r.cos * v[0] - r.sin * v[1], r.sin * v[0] + r.cos * v[1]])
     }
-    #[inline]
+    #[inline(always)]
     fn rotate_angular(_: &Turn<T>, w: Vector<T, 1>) -> Vector<T, 1> {
         w
     }
-    #[inline]
+    #[inline(always)]
     fn column(r: &Turn<T>, i: usize) -> Vector<T, 2> {
         if i == 0 { Vector([r.cos, r.sin]) } else { Vector([-r.sin, r.cos]) }
     }
-    #[inline]
+    #[inline(always)]
     fn turn(r: &Turn<T>, (sin, cos): (T, T)) -> Turn<T> {
         Self::compose(r, &Turn { cos, sin })
     }
-    #[inline]
+    #[inline(always)]
     fn turn_axis(_: &Turn<T>) -> Vector<T, 1> {
         Vector([T::one()])
     }
-    #[inline]
+    #[inline(always)]
     fn slide_axis(r: &Turn<T>) -> Vector<T, 2> {
         Vector([r.cos, r.sin])
     }
-    #[inline]
+    #[inline(always)]
     fn cross(w: Vector<T, 1>, r: Vector<T, 2>) -> Vector<T, 2> {
         Vector([-w[0] * r[1], w[0] * r[0]])
     }
-    #[inline]
+    #[inline(always)]
     fn moment(r: Vector<T, 2>, f: Vector<T, 2>) -> Vector<T, 1> {
         Vector([r[0] * f[1] - r[1] * f[0]])
     }
-    #[inline]
+    #[inline(always)]
     fn cross_angular(_: Vector<T, 1>, _: Vector<T, 1>) -> Vector<T, 1> {
         Vector([T::zero()])
     }
-    #[inline]
+    #[inline(always)]
     fn apply_inertia(j: &Vector<T, 1>, _: &Turn<T>, w: Vector<T, 1>) -> Vector<T, 1> {
         Vector([j[0] * w[0]])
     }

@@ -15,23 +15,25 @@ pub struct Matrix3<T: Real> {
 }
 
 impl<T: Real> Matrix3<T> {
-    #[inline]
+    #[inline(always)]
     fn times(&self, v: Vector<T, 3>) -> Vector<T, 3> {
         self.columns[0] * v[0] + self.columns[1] * v[1] + self.columns[2] * v[2]
     }
-    #[inline]
+    #[inline(always)]
     fn times_transposed(&self, v: Vector<T, 3>) -> Vector<T, 3> {
         Vector([self.columns[0].dot(v), self.columns[1].dot(v), self.columns[2].dot(v)])
     }
+    #[inline(always)]
     fn product(&self, o: &Self) -> Self {
-        Self { columns: o.columns.map(|c| self.times(c)) }
+        let [x, y, z] = o.columns;
+        Self { columns: [self.times(x), self.times(y), self.times(z)] }
     }
     fn transposed(&self) -> Self {
         Self { columns: std::array::from_fn(|j| Vector(std::array::from_fn(|i| self.columns[i][j]))) }
     }
 }
 
-#[inline]
+#[inline(always)]
 fn cross<T: Real>(a: Vector<T, 3>, b: Vector<T, 3>) -> Vector<T, 3> {
     Vector([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 }
@@ -50,51 +52,51 @@ impl<T: Real> Space for Spatial<T> {
     fn identity() -> Matrix3<T> {
         Matrix3 { columns: std::array::from_fn(Vector::unit) }
     }
-    #[inline]
+    #[inline(always)]
     fn compose(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
         a.product(b)
     }
     fn transpose(r: &Matrix3<T>) -> Matrix3<T> {
         r.transposed()
     }
-    #[inline]
+    #[inline(always)]
     fn rotate(r: &Matrix3<T>, v: Vector<T, 3>) -> Vector<T, 3> {
         r.times(v)
     }
-    #[inline]
+    #[inline(always)]
     fn rotate_angular(r: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
         r.times(w)
     }
-    #[inline]
+    #[inline(always)]
     fn column(r: &Matrix3<T>, i: usize) -> Vector<T, 3> {
         r.columns[i]
     }
-    #[inline]
+    #[inline(always)]
     fn turn(r: &Matrix3<T>, (s, c): (T, T)) -> Matrix3<T> {
         let [x, y, z] = r.columns;
         Matrix3 { columns: [x * c + y * s, y * c - x * s, z] }
     }
-    #[inline]
+    #[inline(always)]
     fn turn_axis(r: &Matrix3<T>) -> Vector<T, 3> {
         r.columns[2]
     }
-    #[inline]
+    #[inline(always)]
     fn slide_axis(r: &Matrix3<T>) -> Vector<T, 3> {
         r.columns[2]
     }
-    #[inline]
+    #[inline(always)]
     fn cross(w: Vector<T, 3>, r: Vector<T, 3>) -> Vector<T, 3> {
         cross(w, r)
     }
-    #[inline]
+    #[inline(always)]
     fn moment(r: Vector<T, 3>, f: Vector<T, 3>) -> Vector<T, 3> {
         cross(r, f)
     }
-    #[inline]
+    #[inline(always)]
     fn cross_angular(w: Vector<T, 3>, h: Vector<T, 3>) -> Vector<T, 3> {
         cross(w, h)
     }
-    #[inline]
+    #[inline(always)]
     fn apply_inertia(j: &Matrix3<T>, r: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
         r.times(j.times(r.times_transposed(w)))
     }

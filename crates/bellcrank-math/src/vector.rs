@@ -9,7 +9,7 @@ pub struct Vector<T, const N: usize>(pub [T; N]);
 
 impl<T: Real, const N: usize> Vector<T, N> {
     /// All components zero.
-    #[inline]
+    #[inline(always)]
     pub fn zero() -> Self {
         Self([T::default(); N])
     }
@@ -20,7 +20,7 @@ impl<T: Real, const N: usize> Vector<T, N> {
         v
     }
     /// Scalar product.
-    #[inline]
+    #[inline(always)]
     pub fn dot(self, o: Self) -> T {
         let mut s = self.0[0] * o.0[0];
         for i in 1..N {
@@ -39,55 +39,68 @@ impl<T: Real, const N: usize> Default for Vector<T, N> {
         Self::zero()
     }
 }
+// Plain loops over fixed lengths: the closures of `array::map` and `from_fn` are not always inlined.
 impl<T: Real, const N: usize> Add for Vector<T, N> {
     type Output = Self;
-    #[inline]
-    fn add(self, o: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + o.0[i]))
+    #[inline(always)]
+    fn add(mut self, o: Self) -> Self {
+        for i in 0..N {
+            self.0[i] += o.0[i];
+        }
+        self
     }
 }
 impl<T: Real, const N: usize> Sub for Vector<T, N> {
     type Output = Self;
-    #[inline]
-    fn sub(self, o: Self) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] - o.0[i]))
+    #[inline(always)]
+    fn sub(mut self, o: Self) -> Self {
+        for i in 0..N {
+            self.0[i] -= o.0[i];
+        }
+        self
     }
 }
 impl<T: Real, const N: usize> Neg for Vector<T, N> {
     type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self(self.0.map(|x| -x))
+    #[inline(always)]
+    fn neg(mut self) -> Self {
+        for i in 0..N {
+            self.0[i] = -self.0[i];
+        }
+        self
     }
 }
 impl<T: Real, const N: usize> Mul<T> for Vector<T, N> {
     type Output = Self;
-    #[inline]
-    fn mul(self, k: T) -> Self {
-        Self(self.0.map(|x| x * k))
+    #[inline(always)]
+    fn mul(mut self, k: T) -> Self {
+        for i in 0..N {
+            self.0[i] = self.0[i] * k;
+        }
+        self
     }
 }
 impl<T: Real, const N: usize> AddAssign for Vector<T, N> {
-    #[inline]
+    #[inline(always)]
     fn add_assign(&mut self, o: Self) {
         *self = *self + o;
     }
 }
 impl<T: Real, const N: usize> SubAssign for Vector<T, N> {
-    #[inline]
+    #[inline(always)]
     fn sub_assign(&mut self, o: Self) {
         *self = *self - o;
     }
 }
 impl<T, const N: usize> Index<usize> for Vector<T, N> {
     type Output = T;
-    #[inline]
+    #[inline(always)]
     fn index(&self, i: usize) -> &T {
         &self.0[i]
     }
 }
 impl<T, const N: usize> IndexMut<usize> for Vector<T, N> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, i: usize) -> &mut T {
         &mut self.0[i]
     }

@@ -11,8 +11,7 @@ mod build;
 #[expect(dead_code, reason = "the tests use more of it")]
 mod machines;
 
-use bellcrank_math::{Planar, Space, Spatial};
-use bellcrank_multibody::{Actuation, Engine, Machine};
+use bellcrank_multibody::{Actuation, Engine, engine_for};
 use build::coordinate;
 use cpu_time::ProcessTime;
 
@@ -21,20 +20,20 @@ const PASSES: usize = 40;
 const REPEATS: usize = 11;
 
 fn main() {
-    let planar = median::<Planar<f64>>();
-    let spatial = median::<Spatial<f64>>();
+    let planar = median(true);
+    let spatial = median(false);
     println!("{{\"planar_us\": {:.4}, \"spatial_us\": {:.4}}}", planar * 1e6, spatial * 1e6);
 }
 
 /// Seconds a position.
-fn median<S: Space<T = f64>>() -> f64 {
-    let mut e = Machine::<S>::new(machines::lift_blueprint([19.84, 20.8, 19.4])).expect("builds");
+fn median(planar: bool) -> f64 {
+    let mut e = engine_for(planar, &machines::lift_blueprint([19.84, 20.8, 19.4])).expect("builds");
     e.assemble(&[]).expect("assembles");
     let (lever, slide) = (coordinate(2), coordinate(1));
     e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives");
     let angle = |i: usize| (-30.0 + 60.0 * i as f64 / (POSITIONS - 1) as f64).to_radians();
     let mut sum = 0.0;
-    let mut one = |e: &mut Machine<S>, i: usize| {
+    let mut one = |e: &mut dyn Engine, i: usize| {
         e.move_to(0.0, &[angle(i)]).expect("moves");
         e.set_rates(&[0.02], &[0.0]).expect("regular");
         e.solve_forces(&mut |_, _| {}).expect("regular");
@@ -44,8 +43,8 @@ fn median<S: Space<T = f64>>() -> f64 {
         .map(|_| {
             let start = ProcessTime::now();
             for _ in 0..PASSES {
-                (0..POSITIONS).for_each(|i| one(&mut e, i));
-                (0..POSITIONS).rev().for_each(|i| one(&mut e, i));
+                (0..POSITIONS).for_each(|i| one(&mut *e, i));
+                (0..POSITIONS).rev().for_each(|i| one(&mut *e, i));
             }
             start.elapsed().as_secs_f64() / (2 * PASSES * POSITIONS) as f64
         })

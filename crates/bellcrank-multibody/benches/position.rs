@@ -9,14 +9,13 @@ mod build;
 #[expect(dead_code, reason = "the tests use more of it")]
 mod machines;
 
-use bellcrank_math::Planar;
-use bellcrank_multibody::{Actuation, Engine, Machine};
+use bellcrank_multibody::{Actuation, Engine, engine_for};
 use build::coordinate;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
 const POSITIONS: usize = 601;
 
-fn one(e: &mut Machine<Planar<f64>>, target: f64, rate: f64) -> f64 {
+fn one(e: &mut dyn Engine, target: f64, rate: f64) -> f64 {
     e.move_to(0.0, &[target]).expect("moves");
     e.set_rates(&[rate], &[0.0]).expect("regular");
     e.solve_forces(&mut |_, _| {}).expect("regular");
@@ -25,18 +24,18 @@ fn one(e: &mut Machine<Planar<f64>>, target: f64, rate: f64) -> f64 {
 
 /// The stroke of the paper, −30° to 30° at 20 mm/s, forth and back.
 fn lift(c: &mut Criterion) {
-    let mut e = Machine::<Planar<f64>>::new(machines::lift_blueprint([19.84, 20.8, 19.4])).expect("builds");
+    let mut e = engine_for(true, &machines::lift_blueprint([19.84, 20.8, 19.4])).expect("builds");
     e.assemble(&[]).expect("assembles");
     let (lever, slide) = (coordinate(2), coordinate(1));
     e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives");
     let angle = |i: usize| (-30.0 + 60.0 * i as f64 / (POSITIONS - 1) as f64).to_radians();
-    one(&mut e, angle(0), 0.02);
+    one(&mut *e, angle(0), 0.02);
     let mut group = c.benchmark_group("lift");
     group.throughput(Throughput::Elements(2 * POSITIONS as u64));
     group.bench_function("stroke forth and back", |b| {
         b.iter(|| {
-            let forth: f64 = (0..POSITIONS).map(|i| one(&mut e, angle(i), 0.02)).sum();
-            let back: f64 = (0..POSITIONS).rev().map(|i| one(&mut e, angle(i), 0.02)).sum();
+            let forth: f64 = (0..POSITIONS).map(|i| one(&mut *e, angle(i), 0.02)).sum();
+            let back: f64 = (0..POSITIONS).rev().map(|i| one(&mut *e, angle(i), 0.02)).sum();
             forth + back
         });
     });
@@ -47,13 +46,13 @@ fn chains(c: &mut Criterion) {
     let mut group = c.benchmark_group("n-four-bar");
     group.sample_size(10);
     for bodies in [11, 101, 1001, 10_001] {
-        let mut e = Machine::<Planar<f64>>::new(machines::chain((bodies - 1) / 2)).expect("builds");
+        let mut e = engine_for(true, &machines::chain((bodies - 1) / 2)).expect("builds");
         e.assemble(&[]).expect("assembles");
         let first = coordinate(0);
         let list = vec![first];
         e.prepare(&Actuation { position: list.clone(), rate: list.clone(), effort: list }).expect("drives");
         for i in 0..5 {
-            one(&mut e, 1.3 - 0.001 * f64::from(i), 0.7);
+            one(&mut *e, 1.3 - 0.001 * f64::from(i), 0.7);
         }
         let mut step = 0;
         group.throughput(Throughput::Elements(bodies as u64));
@@ -62,7 +61,7 @@ fn chains(c: &mut Criterion) {
                 // A zigzag between 1.3 and 1.2 rad in steps of 0.001.
                 step = (step + 1) % 200;
                 let k = if step < 100 { step } else { 200 - step };
-                one(&mut e, 1.3 - 0.001 * f64::from(k), 0.7)
+                one(&mut *e, 1.3 - 0.001 * f64::from(k), 0.7)
             });
         });
     }

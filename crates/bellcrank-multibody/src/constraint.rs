@@ -204,6 +204,7 @@ pub(crate) struct LinkMotion<S: Space> {
 }
 
 impl<S: Space> Link<S> {
+    #[inline]
     pub(crate) fn pose(&self, nodes: &[NodeState<S>]) -> LinkPose<S> {
         let [a, b] = &self.ends;
         let (x, y) = (&nodes[a.0], &nodes[b.0]);
@@ -229,12 +230,14 @@ impl<S: Space> Link<S> {
         LinkPose { R: [S::identity(), S::identity()], p, d: p[1] - p[0] }
     }
 
+    #[inline]
     pub(crate) fn motion(&self, nodes: &[NodeState<S>], pose: &LinkPose<S>) -> LinkMotion<S> {
         let n = [&nodes[self.ends[0].0], &nodes[self.ends[1].0]];
-        let at = [0, 1].map(|i| n[i].at(pose.p[i]));
+        let at = [n[0].at(pose.p[0]), n[1].at(pose.p[1])];
         LinkMotion { w: [n[0].w, n[1].w], wd: [n[0].wd, n[1].wd], d_dot: at[1].0 - at[0].0, d_ddot: at[1].1 - at[0].1 }
     }
 
+    #[inline]
     pub(crate) fn row(&self, kind: RowKind, x: &LinkPose<S>) -> Gradient<S> {
         match kind {
             RowKind::Point(i) => Gradient { value: x.d[i], f: basis::<S>(i), n: S::Angular::default() },
@@ -268,6 +271,7 @@ impl<S: Space> Link<S> {
     }
 
     /// First and second time derivative of a row, with the accelerations that `m` holds.
+    #[inline]
     pub(crate) fn row_rates(&self, kind: RowKind, x: &LinkPose<S>, m: &LinkMotion<S>) -> (S::T, S::T) {
         match kind {
             RowKind::Point(i) => (m.d_dot[i], m.d_ddot[i]),

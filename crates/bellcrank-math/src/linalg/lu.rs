@@ -3,6 +3,43 @@
 //! A dense matrix is the case where the band is everything. Long chains of loops, ordered by
 //! [`band_ordering`](super::band_ordering), have a band of a few columns and cost O(n).
 
+/// Calls an inlined kernel with its size as a constant where it is small, so that loops unroll.
+macro_rules! sized {
+    ($n:expr, $size:ident => $call:expr) => {
+        match $n {
+            1 => {
+                let $size = 1;
+                $call
+            }
+            2 => {
+                let $size = 2;
+                $call
+            }
+            3 => {
+                let $size = 3;
+                $call
+            }
+            4 => {
+                let $size = 4;
+                $call
+            }
+            5 => {
+                let $size = 5;
+                $call
+            }
+            6 => {
+                let $size = 6;
+                $call
+            }
+            8 => {
+                let $size = 8;
+                $call
+            }
+            $size => $call,
+        }
+    };
+}
+
 /// A square matrix and, after [`BandLu::factor`], its factors. No allocation after [`BandLu::new`].
 #[derive(Clone, Debug)]
 pub struct BandLu {
@@ -11,6 +48,7 @@ pub struct BandLu {
     above: usize,
     stride: usize,
     shift: usize,
+    dense: bool,
     a: Vec<f64>,
     pivots: Vec<usize>,
     scale: f64,
@@ -24,7 +62,7 @@ impl BandLu {
         let dense = width >= n;
         let (stride, shift) = if dense { (n, 0) } else { (width - 1, below) };
         let len = if dense { n * n } else { n * width };
-        Self { n, below, above: above + below, stride, shift, a: vec![0.0; len], pivots: vec![0; n], scale: 0.0 }
+        Self { n, below, above: above + below, stride, shift, dense, a: vec![0.0; len], pivots: vec![0; n], scale: 0.0 }
     }
     /// Number of rows.
     pub fn size(&self) -> usize {
@@ -39,6 +77,14 @@ impl BandLu {
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         let k = self.at(i, j);
         self.a[k] += value;
+    }
+    /// Where the entry of row `i`, column `j` is kept, for [`BandLu::entries`].
+    pub fn place(&self, i: usize, j: usize) -> usize {
+        self.at(i, j)
+    }
+    /// The storage, for filling by places worked out before.
+    pub fn entries(&mut self) -> &mut [f64] {
+        &mut self.a
     }
     #[inline]
     fn at(&self, i: usize, j: usize) -> usize {
@@ -55,6 +101,9 @@ impl BandLu {
 
     /// Factors in place. Returns the ratio of the smallest to the largest pivot: 0 when singular.
     pub fn factor(&mut self) -> f64 {
+        if self.dense {
+            return self.factor_dense();
+        }
         let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
         for k in 0..self.n {
             let p = self.pivot_row(k);
@@ -71,6 +120,45 @@ impl BandLu {
         }
         self.scale = largest;
         if self.n == 0 {
+            1.0
+        } else if largest > 0.0 {
+            smallest / largest
+        } else {
+            0.0
+        }
+    }
+
+    /// The same on whole rows: no band to mind, which is what small systems are.
+    fn factor_dense(&mut self) -> f64 {
+        sized!(self.n, n => self.factor_rows(n))
+    }
+
+    #[inline(always)]
+    fn factor_rows(&mut self, n: usize) -> f64 {
+        let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+        for k in 0..n {
+            let mut p = k;
+            let mut size = self.a[k * n + k].abs();
+            for (i, row) in self.a.chunks_exact(n).enumerate().skip(k + 1) {
+                let here = row[k].abs();
+                if here > size {
+                    (p, size) = (i, here);
+                }
+            }
+            self.pivots[k] = p;
+            let (top, bottom) = self.a.split_at_mut((k + 1) * n);
+            let pivot = &mut top[k * n..];
+            if p != k {
+                let other = &mut bottom[(p - k - 1) * n..(p - k) * n];
+                pivot[k..].swap_with_slice(&mut other[k..]);
+            }
+            (smallest, largest) = (smallest.min(size), largest.max(size));
+            if size > 0.0 {
+                eliminate_dense(&pivot[k..], bottom, n, k);
+            }
+        }
+        self.scale = largest;
+        if n == 0 {
             1.0
         } else if largest > 0.0 {
             smallest / largest
@@ -118,6 +206,9 @@ impl BandLu {
 
     /// Solves `A x = b` in place.
     pub fn solve(&self, b: &mut [f64]) {
+        if self.dense {
+            return self.solve_dense(&mut b[..self.n]);
+        }
         for k in 0..self.n {
             b.swap(k, self.pivots[k]);
             let x = b[k];
@@ -135,8 +226,53 @@ impl BandLu {
         }
     }
 
+    fn solve_dense(&self, b: &mut [f64]) {
+        sized!(self.n, n => self.solve_rows(n, b))
+    }
+
+    #[inline(always)]
+    fn solve_rows(&self, n: usize, b: &mut [f64]) {
+        let b = &mut b[..n];
+        for k in 0..n {
+            b.swap(k, self.pivots[k]);
+            let x = b[k];
+            for (row, b) in self.a.chunks_exact(n).zip(b.iter_mut()).skip(k + 1) {
+                *b -= row[k] * x;
+            }
+        }
+        for (k, row) in self.a.chunks_exact(n).enumerate().rev() {
+            let (done, rest) = b.split_at_mut(k + 1);
+            let s: f64 = row[k + 1..].iter().zip(rest.iter()).map(|(a, b)| a * b).sum();
+            done[k] = (done[k] - s) / row[k];
+        }
+    }
+
+    fn solve_transposed_dense(&self, b: &mut [f64]) {
+        sized!(self.n, n => self.solve_rows_transposed(n, b))
+    }
+
+    #[inline(always)]
+    fn solve_rows_transposed(&self, n: usize, b: &mut [f64]) {
+        let b = &mut b[..n];
+        for (k, row) in self.a.chunks_exact(n).enumerate() {
+            let (done, rest) = b.split_at_mut(k + 1);
+            let x = done[k] / row[k];
+            done[k] = x;
+            row[k + 1..].iter().zip(rest).for_each(|(a, b)| *b -= a * x);
+        }
+        for k in (0..n).rev() {
+            let below = self.a.chunks_exact(n).zip(b.iter()).skip(k + 1);
+            let s: f64 = below.map(|(row, b)| row[k] * b).sum();
+            b[k] -= s;
+            b.swap(k, self.pivots[k]);
+        }
+    }
+
     /// Solves `Aᵀ x = b` in place.
     pub fn solve_transposed(&self, b: &mut [f64]) {
+        if self.dense {
+            return self.solve_transposed_dense(&mut b[..self.n]);
+        }
         for k in 0..self.n {
             let row = self.at(k, k);
             let x = b[k] / self.a[row];
@@ -167,6 +303,18 @@ impl BandLu {
     /// Largest pivot of the last factorization, a cheap measure of the matrix' size.
     pub fn scale(&self) -> f64 {
         self.scale
+    }
+}
+
+/// Takes the pivot row (from column `k` on) off every row below.
+#[inline(always)]
+fn eliminate_dense(pivot: &[f64], bottom: &mut [f64], n: usize, k: usize) {
+    let inverse = 1.0 / pivot[0];
+    for row in bottom.chunks_exact_mut(n) {
+        let row = &mut row[k..];
+        let l = row[0] * inverse;
+        row[0] = l;
+        row[1..].iter_mut().zip(&pivot[1..]).for_each(|(x, u)| *x -= l * u);
     }
 }
 

@@ -35,6 +35,14 @@ impl Qr {
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         self.a[j * self.m + i] += value;
     }
+    /// Where the entry of row `i`, column `j` is kept, for [`Qr::entries`].
+    pub fn place(&self, i: usize, j: usize) -> usize {
+        j * self.m + i
+    }
+    /// The storage, for filling by places worked out before.
+    pub fn entries(&mut self) -> &mut [f64] {
+        &mut self.a
+    }
     /// Number of columns (and rows) found independent by the last factorization.
     pub fn rank(&self) -> usize {
         self.rank

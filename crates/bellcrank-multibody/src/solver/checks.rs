@@ -49,7 +49,7 @@ impl<S: Space<T = f64>> Machine<S> {
             }
         }
         let mut product = vec![0.0; system.rows];
-        system.multiply(&self.mech, &self.rows, &v, &mut product);
+        system.multiply_known(&self.rows, &v, &mut product);
         rhs.iter_mut().zip(&product).for_each(|(r, p)| *r -= p);
         system.solve(&rhs, &mut v);
         let mut x = self.x.clone();

@@ -105,7 +105,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     fn read_drives(&mut self, system: &LinearSystem) {
-        system.multiply_transposed(&self.mech, &self.rows, &self.lambda, &mut self.scratch.product[..self.mech.nv]);
+        system.multiply_known_transposed(&self.rows, &self.lambda, &mut self.scratch.product[..self.mech.nv]);
         for (k, p) in system.prescribed.iter().enumerate() {
             self.drive[k] = match p {
                 Prescribed::Node(n) => {

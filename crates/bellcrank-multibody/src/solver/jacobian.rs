@@ -128,8 +128,15 @@ impl<S: Space<T = f64>> Rows<S> {
     }
 
     /// Calls `f(row, velocity component, value)` for every entry.
-    #[inline]
     pub(crate) fn each(&self, mech: &Mechanism<S>, mut f: impl FnMut(usize, usize, f64)) {
+        self.each_of_links(mech, &mut f);
+        for &(row, column, value) in &self.coupling {
+            f(row, column, value);
+        }
+    }
+
+    /// The same for links only, in the order of `block`.
+    pub(crate) fn each_of_links(&self, mech: &Mechanism<S>, mut f: impl FnMut(usize, usize, f64)) {
         for (c, &k) in mech.closing.iter().enumerate() {
             let link = &mech.links[k];
             let width = link.columns.len();
@@ -139,9 +146,6 @@ impl<S: Space<T = f64>> Rows<S> {
                     f(link.first_row + i, *column, *value);
                 }
             }
-        }
-        for &(row, column, value) in &self.coupling {
-            f(row, column, value);
         }
     }
 }

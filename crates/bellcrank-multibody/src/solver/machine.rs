@@ -3,6 +3,7 @@
 use super::jacobian::Rows;
 use super::position::History;
 use super::system::LinearSystem;
+use crate::constraint::Measure;
 use crate::forces::Output;
 use crate::kinematics;
 use crate::mechanism::{Mechanism, Source};
@@ -66,6 +67,8 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) scratch: Scratch,
     /// Turns already made by measured angles, so that they do not jump at ±180°.
     pub(crate) unwrapped: Vec<Vec<f64>>,
+    /// The measured angles: joint, coordinate, link and measure.
+    pub(crate) measured_angles: Vec<(usize, usize, usize, Measure)>,
     pub(crate) has_friction: bool,
 }
 
@@ -112,6 +115,7 @@ impl<S: Space<T = f64>> Machine<S> {
                 saved: vec![0.0; mech.nq],
             },
             unwrapped: mech.sources.iter().map(|s| vec![0.0; s.len()]).collect(),
+            measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
             mech,
             blueprint,
@@ -191,6 +195,20 @@ impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn need(&self, stage: Stage) {
         debug_assert!(self.stage >= stage, "asked for {stage:?} at {:?}", self.stage);
     }
+}
+
+fn measured_angles<S: Space>(mech: &Mechanism<S>) -> Vec<(usize, usize, usize, Measure)> {
+    let mut found = Vec::new();
+    for (j, sources) in mech.sources.iter().enumerate() {
+        for (i, s) in sources.iter().enumerate() {
+            if let Source::Measured { link, measure } = s
+                && measure.is_angle()
+            {
+                found.push((j, i, *link, *measure));
+            }
+        }
+    }
+    found
 }
 
 /// `Q ← exp(k δ) Q`: velocity components of a ball are along the axes before its motion.

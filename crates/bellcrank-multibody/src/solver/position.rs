@@ -205,7 +205,7 @@ impl<S: Space<T = f64>> Machine<S> {
                 Prescribed::Row(row, source) => self.scratch.rhs[*row] = self.row_step(*source, k, at, goal, system),
             }
         }
-        system.multiply(&self.mech, &self.rows, &self.scratch.delta, &mut self.scratch.product);
+        system.multiply_known(&self.rows, &self.scratch.delta, &mut self.scratch.product);
         for r in 0..system.rows {
             self.scratch.rhs[r] -= self.scratch.product[r];
         }
@@ -378,16 +378,10 @@ impl<S: Space<T = f64>> Machine<S> {
 
     /// Follows measured angles across ±180°.
     fn note_unwrapped(&mut self) {
-        for (j, sources) in self.mech.sources.iter().enumerate() {
-            for (i, s) in sources.iter().enumerate() {
-                if let Source::Measured { link, measure } = s
-                    && measure.is_angle()
-                {
-                    let raw = self.mech.links[*link].measure(*measure, &self.mech.links[*link].pose(&self.x)).value;
-                    let last = &mut self.unwrapped[j][i];
-                    *last += wrap(raw - *last);
-                }
-            }
+        for (j, i, link, measure) in &self.measured_angles {
+            let raw = self.mech.links[*link].measure(*measure, &self.mech.links[*link].pose(&self.x)).value;
+            let last = &mut self.unwrapped[*j][*i];
+            *last += wrap(raw - *last);
         }
         debug_assert!(self.stage >= Stage::Position);
     }

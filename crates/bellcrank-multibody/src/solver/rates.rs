@@ -67,7 +67,7 @@ impl<S: Space<T = f64>> Machine<S> {
                 self.v[self.mech.nodes[*n].v] = velocity[k];
             }
         }
-        system.multiply(&self.mech, &self.rows, &self.v, &mut self.scratch.product);
+        system.multiply_known(&self.rows, &self.v, &mut self.scratch.product);
         for r in 0..system.rows {
             self.scratch.rhs[r] = -self.scratch.product[r];
         }
@@ -86,7 +86,7 @@ impl<S: Space<T = f64>> Machine<S> {
                 self.a[self.mech.nodes[*n].v] = acceleration[k];
             }
         }
-        system.multiply(&self.mech, &self.rows, &self.a, &mut self.scratch.product);
+        system.multiply_known(&self.rows, &self.a, &mut self.scratch.product);
         self.fill_bias();
         for r in 0..self.mech.rows() {
             self.scratch.rhs[r] = -self.scratch.rhs[r] - self.scratch.product[r];

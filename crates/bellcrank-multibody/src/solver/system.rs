@@ -44,6 +44,10 @@ pub(crate) struct LinearSystem {
     row_place: Vec<usize>,
     column_place: Vec<usize>,
     factor: Factor,
+    /// For each entry of the links' blocks its place in the factor's storage, or `OUT`.
+    scatter: Vec<usize>,
+    /// Entries of the links' blocks in prescribed columns: entry, row, velocity component.
+    known: Vec<(usize, usize, usize)>,
     /// Entries of the prescribed rows at the last fill.
     pub(crate) extra: Vec<Entry>,
     /// Pivot ratio of the last factorization.
@@ -87,7 +91,7 @@ impl LinearSystem {
             order(mech, rows, &free, &prescribed, n)
         };
         let longest = mech.links.iter().map(|l| l.columns.len()).max().unwrap_or(1).max(1);
-        Some(Self {
+        let mut system = Self {
             prescribed,
             free,
             columns,
@@ -95,11 +99,15 @@ impl LinearSystem {
             row_place,
             column_place,
             factor,
+            scatter: Vec::new(),
+            known: Vec::new(),
             extra: Vec::with_capacity(longest * sources.len()),
             ratio: 0.0,
             right: vec![0.0; count.max(n)],
             left: vec![0.0; count.max(n)],
-        })
+        };
+        system.scatter_links(mech, rows);
+        Some(system)
     }
 
     /// Is the number of equations larger than that of unknowns?
@@ -108,35 +116,61 @@ impl LinearSystem {
     }
 
     /// Fills and factors at the present rows. The pivot ratio is returned: below [`SINGULAR`] is singular.
+    #[inline]
     pub(crate) fn factor<S: Space<T = f64>>(&mut self, mech: &Mechanism<S>, rows: &Rows<S>, x: &[NodeState<S>]) -> f64 {
         self.fill_extra(mech, x);
-        let Self { factor, free, row_place, column_place, extra, .. } = self;
-        match factor {
-            Factor::Lu(lu) => {
-                lu.clear();
-                let mut put = |r: usize, v: usize, value: f64| {
-                    let c = free[v];
-                    if c != OUT {
-                        lu.add(row_place[r], column_place[c], value);
-                    }
-                };
-                rows.each(mech, &mut put);
-                extra.iter().for_each(|&(r, v, value)| put(r, v, value));
-                self.ratio = lu.factor();
-            }
-            Factor::Qr(qr) => {
-                qr.clear();
-                let mut put = |r: usize, v: usize, value: f64| {
-                    if free[v] != OUT {
-                        qr.add(r, free[v], value);
-                    }
-                };
-                rows.each(mech, &mut put);
-                extra.iter().for_each(|&(r, v, value)| put(r, v, value));
-                self.ratio = qr.factor(SINGULAR);
+        let storage = match &mut self.factor {
+            Factor::Lu(lu) => lu.entries(),
+            Factor::Qr(qr) => qr.entries(),
+        };
+        storage.fill(0.0);
+        for (place, value) in self.scatter.iter().zip(&rows.block) {
+            if let Some(x) = storage.get_mut(*place) {
+                *x += value;
             }
         }
+        for i in 0..rows.coupling.len() + self.extra.len() {
+            let (r, v, value) = self.single_entry(rows, i);
+            if self.free[v] != OUT {
+                let place = self.place(r, self.free[v]);
+                match &mut self.factor {
+                    Factor::Lu(lu) => lu.entries()[place] += value,
+                    Factor::Qr(qr) => qr.entries()[place] += value,
+                }
+            }
+        }
+        self.ratio = match &mut self.factor {
+            Factor::Lu(lu) => lu.factor(),
+            Factor::Qr(qr) => qr.factor(SINGULAR),
+        };
         self.ratio
+    }
+
+    /// Entries of couplings, then of prescribed rows.
+    #[inline]
+    fn single_entry<S: Space<T = f64>>(&self, rows: &Rows<S>, i: usize) -> Entry {
+        rows.coupling.get(i).copied().unwrap_or_else(|| self.extra[i - rows.coupling.len()])
+    }
+
+    fn place(&self, row: usize, column: usize) -> usize {
+        match &self.factor {
+            Factor::Lu(lu) => lu.place(self.row_place[row], self.column_place[column]),
+            Factor::Qr(qr) => qr.place(row, column),
+        }
+    }
+
+    /// Works out where the links' entries go.
+    fn scatter_links<S: Space<T = f64>>(&mut self, mech: &Mechanism<S>, rows: &Rows<S>) {
+        let (mut scatter, mut known) = (Vec::with_capacity(rows.block.len()), Vec::new());
+        rows.each_of_links(mech, |row, v, _| {
+            if self.free[v] == OUT {
+                known.push((scatter.len(), row, v));
+                scatter.push(OUT);
+            } else {
+                scatter.push(self.place(row, self.free[v]));
+            }
+        });
+        (self.scatter, self.known) = (scatter, known);
     }
 
     fn fill_extra<S: Space<T = f64>>(&mut self, mech: &Mechanism<S>, x: &[NodeState<S>]) {
@@ -207,24 +241,32 @@ impl LinearSystem {
         }
     }
 
-    /// `J u` over all columns.
-    pub(crate) fn multiply<S: Space<T = f64>>(&self, mech: &Mechanism<S>, rows: &Rows<S>, u: &[f64], out: &mut [f64]) {
+    /// `J u` over the prescribed columns (the others of `u` do not count).
+    pub(crate) fn multiply_known<S: Space<T = f64>>(&self, rows: &Rows<S>, u: &[f64], out: &mut [f64]) {
         out[..self.rows].fill(0.0);
-        rows.each(mech, |r, v, value| out[r] += value * u[v]);
-        self.extra.iter().for_each(|&(r, v, value)| out[r] += value * u[v]);
+        for &(entry, row, v) in &self.known {
+            out[row] += rows.block[entry] * u[v];
+        }
+        for i in 0..rows.coupling.len() + self.extra.len() {
+            let (r, v, value) = self.single_entry(rows, i);
+            if self.free[v] == OUT {
+                out[r] += value * u[v];
+            }
+        }
     }
 
-    /// `Jᵀ λ` over all columns (nv).
-    pub(crate) fn multiply_transposed<S: Space<T = f64>>(
-        &self,
-        mech: &Mechanism<S>,
-        rows: &Rows<S>,
-        lambda: &[f64],
-        out: &mut [f64],
-    ) {
+    /// `Jᵀ λ` in the prescribed columns, into those components of `out` (nv).
+    pub(crate) fn multiply_known_transposed<S: Space<T = f64>>(&self, rows: &Rows<S>, lambda: &[f64], out: &mut [f64]) {
         out.fill(0.0);
-        rows.each(mech, |r, v, value| out[v] += value * lambda[r]);
-        self.extra.iter().for_each(|&(r, v, value)| out[v] += value * lambda[r]);
+        for &(entry, row, v) in &self.known {
+            out[v] += rows.block[entry] * lambda[row];
+        }
+        for i in 0..rows.coupling.len() + self.extra.len() {
+            let (r, v, value) = self.single_entry(rows, i);
+            if self.free[v] == OUT {
+                out[v] += value * lambda[r];
+            }
+        }
     }
 
     /// Sign of the determinant, up to a constant of the system; 1 where redundant.
