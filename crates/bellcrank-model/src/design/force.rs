@@ -9,7 +9,7 @@ use super::{PointRef, Quantity, ScopeId};
 #[derive(Clone, Debug)]
 pub(crate) enum Load {
     /// Known before the run.
-    Fixed(Quantity),
+    Fixed(Box<Quantity>),
     /// Worked out at every position: place in [`super::Design::inputs`].
     Input(usize),
     /// Not given.

@@ -115,7 +115,7 @@ impl Loads<'_> {
 
     fn load(&mut self, part: PartReader<'_>, expression: Expression) -> Load {
         if expression.signals().is_empty() {
-            return Load::Fixed(part.quantity(expression));
+            return Load::Fixed(Box::new(part.quantity(expression)));
         }
         self.inputs.push(Input { scope: part.part.scope, expression });
         Load::Input(self.inputs.len() - 1)

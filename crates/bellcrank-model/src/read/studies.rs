@@ -22,7 +22,7 @@ enum State {
     Unread,
     Open,
     Faulty,
-    Read(&'static str, StudyKeys),
+    Read(&'static str, Box<StudyKeys>),
 }
 
 struct Reading<'a> {
@@ -50,7 +50,7 @@ pub(crate) fn read(
         reading.study(index, 0);
     }
     let finished = |(entry, state): (&&Entry, State)| match state {
-        State::Read(kind, keys) => finish(entry, kind, keys, of, scopes),
+        State::Read(kind, keys) => finish(entry, kind, *keys, of, scopes),
         _ => None,
     };
     entries.iter().zip(reading.states).filter_map(finished).collect()
@@ -78,7 +78,7 @@ impl<'a> Reading<'a> {
         let beneath = beneath.map(|(_, keys)| keys).unwrap_or_default();
         let keys = StudyKeys::read(&keyed, self.of, &beneath);
         keyed.finish();
-        Some(State::Read(kind, keys.over(beneath)))
+        Some(State::Read(kind, Box::new(keys.over(beneath))))
     }
 
     /// A study without a kind has that of the study it is like.
@@ -116,7 +116,7 @@ impl<'a> Reading<'a> {
         }
         self.study(index, depth + 1);
         match &self.states[index] {
-            State::Read(kind, keys) => Some((kind, keys.clone())),
+            State::Read(kind, keys) => Some((kind, StudyKeys::clone(keys))),
             _ => None,
         }
     }
