@@ -6,6 +6,7 @@ use super::End;
 use super::session::Session;
 use crate::design::{Hold, Quantity, Sweep};
 use crate::progress::Progress;
+use crate::signals::Source;
 
 /// What the study says.
 pub(super) struct Plan<'p> {
@@ -33,6 +34,12 @@ pub(super) fn run(session: &mut Session<'_>, plan: &Plan<'_>, progress: &mut dyn
     session.prepare(&Actuation { position: with(swept), rate: rate.clone(), effort: rate.clone() })?;
     session.expect_rows(plan.sweep.points, false)?;
     session.result.axis = vec![session.namer().signal(swept)];
+    if session.design.input_signals.iter().any(|signal| signal.source == Source::Time) {
+        session
+            .result
+            .warnings
+            .push("forces that depend on `time` are taken at time 0: a sweep has no time".to_owned());
+    }
     let mut targets: Vec<f64> = with(swept).iter().map(|&c| session.place(c)).collect();
     for (target, (_, place)) in targets.iter_mut().skip(1).zip(rested(plan.holds, &needed)) {
         *target = place.unwrap_or(*target);

@@ -129,6 +129,36 @@ fn statics_finds_the_hanging_position() {
 }
 
 #[test]
+fn statics_can_sweep_a_held_coordinate() {
+    let study = "[studies.a]\nkind = \"statics\"\nhold = [\"wrist\"]\n\
+                 sweep = { joint = \"hinge\", from = \"0 deg\", to = \"90 deg\", points = 3 }\n";
+    let result = run(&pendulum("rest-sweep", study), "a");
+    assert!(result.failure.is_none(), "{:?}", result.failure);
+    let level = 2.0 * 9.81 * 0.5 + 9.81;
+    for row in 0..3 {
+        let angle = value(&result, "joint.hinge.position", row);
+        assert!((value(&result, "drive.hinge.force", row) - level * angle.cos()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn dead_positions_leave_gaps_and_warnings() {
+    let text = bellcrank_model::starter("dead");
+    let text = format!(
+        "{text}\n[studies.gas]\nkind = \"inverse-dynamics\"\n\
+         sweep = {{ joint = \"O\", from = \"0 deg\", to = \"360 deg\", points = 9 }}\n\
+         drive = {{ joint = \"guide\", velocity = \"1 m/s\" }}\n"
+    );
+    let result = run(&model("dead", &text), "gas");
+    assert!(result.failure.is_none(), "{:?}", result.failure);
+    assert_eq!(result.table.rows(), 9);
+    assert!(value(&result, "drive.guide.force", 0).is_nan() && value(&result, "drive.guide.force", 4).is_nan());
+    assert!(value(&result, "drive.guide.force", 1).is_finite());
+    let told = result.warnings.join("; ");
+    assert!(told.contains("dead position") && told.contains("joint.O.position = 0 deg"), "{told}");
+}
+
+#[test]
 fn later_kinds_are_left_out_of_a_whole_run_and_refused_by_name() {
     let model = model_of(&crate::support::lift());
     let whole = model.run_all(&[], &mut Silent).expect("a run");
