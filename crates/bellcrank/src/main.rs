@@ -1,7 +1,7 @@
 //! `bellcrank`: from a model file to motion, forces and a report.
 //!
-//! One file a command in `commands/`. A command answers with an [`Exit`] or a [`Refusal`]; both become
-//! an exit code here and nowhere else.
+//! One file a command in `commands/`. A command answers with an [`Exit`] or a [`Refusal`](exit::Refusal); both
+//! become an exit code here and nowhere else.
 
 mod args;
 mod commands;

@@ -3,8 +3,8 @@
 use super::figure::cell;
 use super::machine::Study;
 
-/// θ3, then θ1 [deg], s2 [mm], ω3, ω1 [rad/s], v41, v42 [m/s], ε3, ε1 [rad/s²], a41, a42 [m/s²], force without and with
-/// masses [N]: recomputed from the paper's equations by an independent script.
+/// θ3, then θ1 in deg, s2 in mm, ω3, ω1 in rad/s, v41, v42 in m/s, ε3, ε1 in rad/s², a41, a42 in m/s², force without and with
+/// masses in N: recomputed from the paper's equations by an independent script.
 const TARGETS: [(f64, [&str; 12]); 5] = [
     (
         -30.0,
