@@ -101,6 +101,9 @@ impl BandLu {
 
     /// Factors in place. Returns the ratio of the smallest to the largest pivot: 0 when singular.
     pub fn factor(&mut self) -> f64 {
+        if self.n == 0 {
+            return 1.0;
+        }
         if self.dense {
             return self.factor_dense();
         }
@@ -206,6 +209,9 @@ impl BandLu {
 
     /// Solves `A x = b` in place.
     pub fn solve(&self, b: &mut [f64]) {
+        if self.n == 0 {
+            return;
+        }
         if self.dense {
             return self.solve_dense(&mut b[..self.n]);
         }
@@ -270,6 +276,9 @@ impl BandLu {
 
     /// Solves `Aᵀ x = b` in place.
     pub fn solve_transposed(&self, b: &mut [f64]) {
+        if self.n == 0 {
+            return;
+        }
         if self.dense {
             return self.solve_transposed_dense(&mut b[..self.n]);
         }
@@ -355,6 +364,15 @@ mod tests {
                 assert!((b[i] - x[i]).abs() < 1e-8 && (c[i] - x[i]).abs() < 1e-8, "n {n} row {i}");
             }
         }
+    }
+
+    #[test]
+    fn nothing_to_solve_is_regular() {
+        let mut lu = BandLu::new(0, 0, 0);
+        assert_eq!(lu.factor(), 1.0);
+        lu.solve(&mut []);
+        lu.solve_transposed(&mut []);
+        assert_eq!(lu.determinant_sign(), 1.0);
     }
 
     #[test]
