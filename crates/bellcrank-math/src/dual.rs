@@ -53,6 +53,7 @@ impl<const N: usize> Sub for Dual<N> {
         self.zip(o, self.re - o.re, |a, b| a - b)
     }
 }
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the rules of differentiation mix the operations")]
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
@@ -60,6 +61,7 @@ impl<const N: usize> Mul for Dual<N> {
         self.zip(o, self.re * o.re, |a, b| a * o.re + self.re * b)
     }
 }
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the rules of differentiation mix the operations")]
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
     #[inline]

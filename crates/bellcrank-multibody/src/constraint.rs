@@ -31,6 +31,8 @@ pub(crate) enum Measure {
     Turn(bool),
     /// Place along axis i of the first frame.
     Slide(usize),
+    /// Turn of a screw: whole turns are told by its advance.
+    Thread,
     /// Distance of the origins.
     Distance,
     /// Universal joint: angle about z of the first frame.
@@ -39,7 +41,7 @@ pub(crate) enum Measure {
     Yoke,
     /// Roll, pitch or yaw of the second frame in the first.
     Attitude(usize),
-    /// Place along and turn about z of a screw share one coordinate: the turn.
+    /// Nothing: the joint has no such coordinate.
     None,
 }
 
@@ -56,7 +58,8 @@ impl Measure {
         use JointKind as K;
         match (kind, i) {
             (K::Revolute { axis }, 0) => Measure::Turn(S::DIM == 2 && axis[2].value() < 0.0),
-            (K::Screw { .. }, 0) | (K::Cylindrical { .. }, 1) | (K::Planar, 2) => Measure::Turn(false),
+            (K::Screw { .. }, 0) => Measure::Thread,
+            (K::Cylindrical { .. }, 1) | (K::Planar, 2) => Measure::Turn(false),
             (K::Prismatic { .. } | K::Cylindrical { .. } | K::PointOnLine { .. }, 0) => Measure::Slide(S::SLIDE),
             (K::Universal { .. }, 0) => Measure::Fork,
             (K::Universal { .. }, 1) => Measure::Yoke,
@@ -248,7 +251,7 @@ impl<S: Space> Link<S> {
                 Gradient { value: g.value - self.held, ..g }
             }
             RowKind::ScrewLead => {
-                let (s, t) = (x.slide(2), x.turn());
+                let (s, t) = (x.slide(2), self.measure(Measure::Thread, x));
                 Gradient { value: s.value - self.held * t.value, f: s.f, n: t.n * -self.held }
             }
         }
@@ -260,6 +263,10 @@ impl<S: Space> Link<S> {
             Measure::Turn(true) => {
                 let g = x.turn();
                 Gradient { value: -g.value, f: g.f, n: -g.n }
+            }
+            Measure::Thread => {
+                let (s, t) = (x.slide(2), x.turn());
+                Gradient { value: nearest_turn(t.value, (s.value / self.held).value()), ..t }
             }
             Measure::Slide(i) => x.slide(i),
             Measure::Distance => x.distance(),
@@ -287,7 +294,7 @@ impl<S: Space> Link<S> {
 
     pub(crate) fn measure_rates(&self, measure: Measure, x: &LinkPose<S>, m: &LinkMotion<S>) -> (S::T, S::T) {
         match measure {
-            Measure::Turn(false) | Measure::Fork => m.turn_rates(x),
+            Measure::Turn(false) | Measure::Thread | Measure::Fork => m.turn_rates(x),
             Measure::Turn(true) => {
                 let t = m.turn_rates(x);
                 (-t.0, -t.1)
@@ -299,6 +306,12 @@ impl<S: Space> Link<S> {
             Measure::None => (S::T::zero(), S::T::zero()),
         }
     }
+}
+
+/// The angle plus whole turns that comes nearest to `wanted`: a screw's advance counts its turns.
+fn nearest_turn<T: Real>(angle: T, wanted: f64) -> T {
+    let turns = ((wanted - angle.value()) / std::f64::consts::TAU).round();
+    if turns.is_finite() { angle + T::from_f64(turns * std::f64::consts::TAU) } else { angle }
 }
 
 fn basis<S: Space>(i: usize) -> S::Vector {

@@ -142,11 +142,19 @@ fn edges<S: Space>(blueprint: &Blueprint<S::T>, steps: &Steps<S>) -> Vec<Edge> {
     let mut edges = Vec::new();
     for (joint, (j, steps)) in blueprint.joints.iter().zip(steps).enumerate() {
         if let (Some(places), Some(steps)) = (&j.places, steps) {
-            let dofs = steps.iter().map(|s| s.motion.dofs()).sum();
-            edges.push(Edge { joint, bodies: [places[0].body.0, places[1].body.0], dofs });
+            let dofs: usize = steps.iter().map(|s| s.motion.dofs()).sum();
+            // A coupled coordinate counts its turns without end only in the tree.
+            let cost = 2 * dofs - usize::from(dofs > 0 && is_coupled(blueprint, joint));
+            edges.push(Edge { joint, bodies: [places[0].body.0, places[1].body.0], cost });
         }
     }
     edges
+}
+
+fn is_coupled<T>(blueprint: &Blueprint<T>, joint: usize) -> bool {
+    let uses =
+        |k: &JointKind<T>| matches!(k, JointKind::Coupler { a, b, .. } if a.joint.0 == joint || b.joint.0 == joint);
+    blueprint.joints.iter().any(|j| uses(&j.kind))
 }
 
 pub(crate) fn frame_of<S: Space>(place: &Place<S::T>) -> Frame<S> {

@@ -44,11 +44,7 @@ fn places(order: &[usize], n: usize) -> Vec<usize> {
 }
 
 fn cuthill_mckee(rows: &[Vec<usize>], columns: usize) -> Vec<usize> {
-    let mut rows_of = vec![Vec::new(); columns];
-    for (i, cols) in rows.iter().enumerate() {
-        cols.iter().for_each(|&j| rows_of[j].push(i));
-    }
-    let graph = Graph { rows, rows_of: &rows_of };
+    let graph = Graph::new(rows, columns);
     let mut seen = vec![false; columns];
     let mut order = Vec::with_capacity(columns);
     for j in 0..columns {
@@ -61,34 +57,43 @@ fn cuthill_mckee(rows: &[Vec<usize>], columns: usize) -> Vec<usize> {
     order
 }
 
-struct Graph<'a> {
-    rows: &'a [Vec<usize>],
-    rows_of: &'a [Vec<usize>],
+/// Columns that share a row, least connected first.
+struct Graph {
+    near: Vec<Vec<usize>>,
 }
 
-impl Graph<'_> {
-    fn degree(&self, j: usize) -> usize {
-        self.rows_of[j].iter().map(|&i| self.rows[i].len()).sum()
+impl Graph {
+    fn new(rows: &[Vec<usize>], columns: usize) -> Self {
+        let mut near = vec![Vec::new(); columns];
+        for cols in rows {
+            for &j in cols {
+                near[j].extend(cols.iter().copied().filter(|&k| k != j));
+            }
+        }
+        near.iter_mut().for_each(|n| {
+            n.sort_unstable();
+            n.dedup();
+        });
+        let degree: Vec<usize> = near.iter().map(Vec::len).collect();
+        near.iter_mut().for_each(|n| n.sort_by_key(|&k| (degree[k], k)));
+        Self { near }
     }
     /// A column at the far end of the component of `j`: two sweeps are enough to be near the rim.
     fn far_from(&self, j: usize) -> usize {
         let mut at = j;
         for _ in 0..2 {
-            let mut order = Vec::new();
-            self.breadth_first(at, &mut Vec::new(), &mut order);
+            let (mut seen, mut order) = (vec![false; self.near.len()], Vec::new());
+            self.breadth_first(at, &mut seen, &mut order);
             at = order.last().copied().unwrap_or(at);
         }
         at
     }
-    fn breadth_first(&self, start: usize, seen: &mut Vec<bool>, order: &mut Vec<usize>) {
-        seen.resize(self.rows_of.len(), false);
+    fn breadth_first(&self, start: usize, seen: &mut [bool], order: &mut Vec<usize>) {
         let mut queue = VecDeque::from([start]);
         seen[start] = true;
         while let Some(j) = queue.pop_front() {
             order.push(j);
-            let mut next: Vec<usize> = self.rows_of[j].iter().flat_map(|&i| self.rows[i].iter().copied()).collect();
-            next.sort_by_key(|&k| (self.degree(k), k));
-            for k in next {
+            for &k in &self.near[j] {
                 if !std::mem::replace(&mut seen[k], true) {
                     queue.push_back(k);
                 }

@@ -24,6 +24,9 @@ const CLOSED: f64 = 1e-11;
 /// The same where equations are redundant and dimensions may be rounded.
 const NEARLY_CLOSED: f64 = 1e-6;
 
+/// Below this many equations a dense factorization needs no ordering.
+const DENSE: usize = 120;
+
 /// A row asked for: a coordinate and the value it should have.
 type Asked = (Source, f64);
 
@@ -57,38 +60,54 @@ impl SparseRows {
         self.0.iter().map(fill).collect()
     }
     /// `δ = Jᵀ (J Jᵀ + μ I)⁻¹ r`.
-    fn least_norm(&self, columns: usize, r: &[f64], mu: f64, delta: &mut [f64]) {
-        let m = self.0.len();
-        let mut rows_of = vec![Vec::new(); columns];
+    fn least_norm(&self, normal: &mut Normal, r: &[f64], mu: f64, delta: &mut [f64]) {
+        let mut rows_of = vec![Vec::new(); delta.len()];
         for (i, row) in self.0.iter().enumerate() {
             row.iter().for_each(|&(v, value)| rows_of[v].push((i, value)));
         }
-        let near =
-            |i: usize| self.0[i].iter().flat_map(|(v, _)| rows_of[*v].iter().map(|(k, _)| *k)).collect::<Vec<_>>();
-        let order = if m > 48 {
-            band_ordering(&(0..m).map(near).collect::<Vec<_>>(), m)
-        } else {
-            bellcrank_math::linalg::Ordering { row: (0..m).collect(), column: (0..m).collect(), below: m, above: m }
-        };
-        // J Jᵀ is symmetric: one place a row serves for columns too, and the band is that of the columns.
-        let place = &order.column;
-        let spread = |i: usize| near(i).into_iter().map(|k| place[i].abs_diff(place[k])).max().unwrap_or(0);
-        let band = if m > 48 { (0..m).map(spread).max().unwrap_or(0) } else { m };
-        let mut lu = BandLu::new(m, band, band);
+        let Normal { place, lu, y } = normal;
+        lu.clear();
         for entries in &rows_of {
             for (i, a) in entries {
                 entries.iter().for_each(|(k, b)| lu.add(place[*i], place[*k], a * b));
             }
         }
-        (0..m).for_each(|i| lu.add(i, i, mu));
+        (0..r.len()).for_each(|i| lu.add(i, i, mu));
         lu.factor();
-        let mut y = vec![0.0; m];
-        (0..m).for_each(|i| y[place[i]] = r[i]);
-        lu.solve(&mut y);
+        (0..r.len()).for_each(|i| y[place[i]] = r[i]);
+        lu.solve(y);
         delta.fill(0.0);
         for (i, row) in self.0.iter().enumerate() {
             row.iter().for_each(|(v, value)| delta[*v] += value * y[place[i]]);
         }
+    }
+}
+
+/// The matrix `J Jᵀ` of a pattern of rows, ordered once for all steps.
+struct Normal {
+    place: Vec<usize>,
+    lu: BandLu,
+    y: Vec<f64>,
+}
+
+impl Normal {
+    fn new(rows: &SparseRows, columns: usize) -> Self {
+        let m = rows.0.len();
+        if m <= DENSE {
+            return Self { place: (0..m).collect(), lu: BandLu::new(m, m, m), y: vec![0.0; m] };
+        }
+        let mut rows_of = vec![Vec::new(); columns];
+        for (i, row) in rows.0.iter().enumerate() {
+            row.iter().for_each(|(v, _)| rows_of[*v].push(i));
+        }
+        // Two rows meet in J Jᵀ when they share a column: the columns are the rows of that graph.
+        let place = band_ordering(&rows_of, m).column;
+        let spread = |rows: &Vec<usize>| {
+            let places = rows.iter().map(|i| place[*i]);
+            places.clone().max().unwrap_or(0) - places.min().unwrap_or(0)
+        };
+        let band = rows_of.iter().map(spread).max().unwrap_or(0);
+        Self { place, lu: BandLu::new(m, band, band), y: vec![0.0; m] }
     }
 }
 
@@ -208,12 +227,14 @@ impl<S: Space<T = f64>> Machine<S> {
         let mut mu = 1e-4;
         let tight = (1e-16 * self.mech.size.max(1e-3)).powi(2);
         let mut stalled = 0;
+        let mut normal: Option<Normal> = None;
         for step in 0..most {
             if before <= tight || !before.is_finite() || stalled > 12 {
                 return step;
             }
             let rows = SparseRows::of(&self.mech, &self.rows, &self.x, asked);
-            rows.least_norm(self.mech.nv, &r, mu, &mut self.scratch.delta);
+            let normal = normal.get_or_insert_with(|| Normal::new(&rows, self.mech.nv));
+            rows.least_norm(normal, &r, mu, &mut self.scratch.delta);
             self.limit_step();
             let q = self.q.clone();
             self.step(1.0);

@@ -7,7 +7,6 @@
 use super::machine::{Machine, Stage};
 use super::system::Prescribed;
 use crate::forces::{Element, read};
-use crate::mechanism::Source;
 use crate::workspace::NodeState;
 use crate::{Checks, kinematics};
 use bellcrank_math::{Components, Space};
@@ -28,11 +27,11 @@ impl Sum {
 
 impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn read_checks(&self) -> Checks {
-        Checks { closure: self.closure(), balance: self.power_balance() }
+        let solved = self.stage >= Stage::Forces;
+        Checks { closure: self.closure(), balance: if solved { self.power_balance() } else { f64::NAN } }
     }
 
     fn power_balance(&self) -> f64 {
-        self.need(Stage::Forces);
         let moving = self.v.iter().any(|v| *v != 0.0);
         let Some(prepared) = &self.prepared else { return f64::NAN };
         if moving {
@@ -93,19 +92,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let Some(prepared) = &self.prepared else { return };
         for (c, u) in prepared.actuation.effort.iter().zip(&self.drive) {
             let Some(source) = self.mech.source(*c) else { continue };
-            sum.add(u * self.conjugate_rate(source, v, x));
-        }
-    }
-
-    /// The rate that an effort works on: for attitudes the spin about the first frame's axis.
-    fn conjugate_rate(&self, source: Source, v: &[f64], x: &[NodeState<S>]) -> f64 {
-        match source {
-            Source::Measured { link, measure } if measure.is_attitude() => {
-                let link = &self.mech.links[link];
-                let n = link.measure(measure, &link.pose(x)).n;
-                (x[link.ends[1].0].w - x[link.ends[0].0].w).dot(n)
-            }
-            _ => read(&self.mech, x, &self.q, v, source).1,
+            sum.add(u * read(&self.mech, x, &self.q, v, source).1);
         }
     }
 }

@@ -2,13 +2,14 @@
 
 use super::machine::{Machine, Stage};
 use super::system::{LinearSystem, Prescribed, SINGULAR};
+use crate::attitude::spin_of_rpy;
 use crate::constraint::Measure;
 use crate::dynamics;
 use crate::forces::{Element, Friction, Present, apply_all, friction_effort, read};
 use crate::mechanism::Source;
 use crate::workspace::NodeState;
 use crate::{Engine, JointId, MechanismError, System};
-use bellcrank_math::{Components, Space};
+use bellcrank_math::{Components, Space, rpy_from_matrix};
 
 /// Friction is settled when no effort changes by more than this part of the largest.
 const SETTLED: f64 = 1e-13;
@@ -115,6 +116,23 @@ impl<S: Space<T = f64>> Machine<S> {
                 Prescribed::Row(row, _) => self.lambda[*row],
             };
         }
+        self.turn_attitude_drives(system);
+    }
+
+    /// The multipliers of an attitude are moments about the first frame's axes; the efforts along roll, pitch
+    /// and yaw are their projections: `u = Eᵀ n` with `ω = E [roll̇, pitcḣ, yaẇ]`.
+    fn turn_attitude_drives(&mut self, system: &LinearSystem) {
+        for (k, p) in system.prescribed.iter().enumerate() {
+            let Prescribed::Row(_, Source::Measured { link, measure: Measure::Attitude(0) }) = p else { continue };
+            let rpy = rpy_from_matrix(&self.mech.links[*link].pose(&self.x).relative());
+            let n: [f64; 3] = std::array::from_fn(|i| self.drive[k + i]);
+            for i in 0..3 {
+                let mut rate = [0.0; 3];
+                rate[i] = 1.0;
+                let (w, _) = spin_of_rpy(&rpy, &rate, &[0.0; 3]);
+                self.drive[k + i] = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+            }
+        }
     }
 
     /// The inward pass with the wrenches of loops, couplings and measured drives applied.
@@ -158,7 +176,7 @@ impl<S: Space<T = f64>> Machine<S> {
     fn measured_effort(&self, system: &LinearSystem, i: usize) -> Option<(Source, f64)> {
         if let Some(c) = self.mech.couplings.get(i / 2) {
             let l = self.lambda[self.mech.link_rows + i / 2];
-            return Some(if i % 2 == 0 { (c.b, l) } else { (c.a, -c.ratio * l) });
+            return Some(if i.is_multiple_of(2) { (c.b, l) } else { (c.a, -c.ratio * l) });
         }
         match system.prescribed[i - 2 * self.mech.couplings.len()] {
             Prescribed::Row(row, source) => Some((source, self.lambda[row])),
@@ -245,7 +263,7 @@ impl<S: Space<T = f64>> Machine<S> {
             let effort = friction_effort(&now, f, rate, self.normal_force(f));
             let step = (effort - self.friction[i]).abs();
             largest = largest.max(effort.abs());
-            if !(step <= change.1) {
+            if step.is_nan() || step > change.1 {
                 change = (f.coordinate.joint, step);
             }
             self.friction[i] = effort;
@@ -262,7 +280,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let pose = link.pose(&self.x);
         let axis = match Measure::of::<S>(&self.blueprint.joints[j].kind, f.coordinate.index) {
             Measure::Slide(i) => S::column(&pose.R[0], i),
-            Measure::Turn(_) | Measure::Fork if S::DIM == 3 => S::column(&pose.R[0], 2),
+            Measure::Turn(_) | Measure::Thread | Measure::Fork if S::DIM == 3 => S::column(&pose.R[0], 2),
             Measure::Yoke => S::column(&pose.R[1], 0),
             _ => S::Vector::default(),
         };

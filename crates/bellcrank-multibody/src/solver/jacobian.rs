@@ -1,5 +1,6 @@
 //! The constraint Jacobian, sparse: for each closing link a small dense block over the path it spans.
 
+use super::position::wrap;
 use crate::constraint::{Gradient, Link};
 use crate::mechanism::{Mechanism, Source};
 use crate::topology::Motion;
@@ -21,6 +22,8 @@ pub(crate) struct Rows<S: Space> {
     pub(crate) block: Vec<f64>,
     pub(crate) offset: Vec<usize>,
     pub(crate) coupling: Vec<Entry>,
+    /// Last accepted positions of the two coordinates of each coupling: measured angles count on from them.
+    pub(crate) coupled: Vec<[f64; 2]>,
     /// Motion of P₂ a unit rate of each path column, scratch.
     twist: Vec<(S::Vector, S::Angular)>,
 }
@@ -45,6 +48,7 @@ impl<S: Space<T = f64>> Rows<S> {
             block: vec![0.0; total],
             offset,
             coupling: Vec::with_capacity(2 * terms * mech.couplings.len()),
+            coupled: vec![[0.0; 2]; mech.couplings.len()],
             twist: Vec::with_capacity(widest.max(terms)),
         }
     }
@@ -72,8 +76,25 @@ impl<S: Space<T = f64>> Rows<S> {
 
     fn coupling_values(&mut self, mech: &Mechanism<S>, q: &[f64], x: &[NodeState<S>]) {
         for (i, c) in mech.couplings.iter().enumerate() {
-            let (a, b) = (value_of(mech, q, x, c.a), value_of(mech, q, x, c.b));
+            let [a, b] = self.coupled_positions(mech, q, x, i);
             self.value[mech.link_rows + i] = b - c.ratio * a - c.offset;
+        }
+    }
+
+    fn coupled_positions(&self, mech: &Mechanism<S>, q: &[f64], x: &[NodeState<S>], i: usize) -> [f64; 2] {
+        let (c, last) = (&mech.couplings[i], self.coupled[i]);
+        let near = |s: Source, last: f64| {
+            let raw = value_of(mech, q, x, s);
+            let wraps = matches!(s, Source::Measured { measure, .. } if measure.is_angle());
+            if wraps { last + wrap(raw - last) } else { raw }
+        };
+        [near(c.a, last[0]), near(c.b, last[1])]
+    }
+
+    /// Remembers where coupled coordinates are, at an accepted position.
+    pub(crate) fn note_coupled(&mut self, mech: &Mechanism<S>, q: &[f64], x: &[NodeState<S>]) {
+        for i in 0..mech.couplings.len() {
+            self.coupled[i] = self.coupled_positions(mech, q, x, i);
         }
     }
 

@@ -1,6 +1,6 @@
 //! Position by continuation: predict, correct by Newton, halve the step when it does not contract.
 
-use super::machine::{Machine, Stage};
+use super::machine::Machine;
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::attitude::{normalize, rotation_vector};
 use crate::constraint::Measure;
@@ -15,6 +15,8 @@ const MOST_ITERATIONS: usize = 12;
 const LAST_CORRECTION: f64 = 3e-8;
 /// The smallest part of a step that is tried.
 const SMALLEST_PART: f64 = 1e-7;
+/// The largest turn of one step, rad: beyond it neither branch nor whole turns could be told.
+const LARGEST_TURN: f64 = 1.6;
 /// A correction may be this much of the step; beyond it another branch may be near.
 const LARGEST_CORRECTION: f64 = 0.25;
 
@@ -137,6 +139,13 @@ impl<S: Space<T = f64>> Machine<S> {
 
     /// Distance of the solution from the prediction against the length of the step.
     fn correction_is_small(&self) -> bool {
+        let turned = |n: &crate::mechanism::Node<S>| {
+            matches!(n.motion, Motion::Turn | Motion::Screw(_))
+                && (self.q[n.q] - self.scratch.saved[n.q]).abs() > LARGEST_TURN
+        };
+        if self.mech.nodes.iter().any(turned) {
+            return false;
+        }
         let largest = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
         let step = largest(&self.q, &self.scratch.saved);
         largest(&self.q, &self.scratch.predicted) <= LARGEST_CORRECTION * step + 1e-9
@@ -170,6 +179,7 @@ impl<S: Space<T = f64>> Machine<S> {
                 let Self { history, q, .. } = self;
                 history.push(q, at, &goal);
                 at.copy_from_slice(&goal);
+                self.note_unwrapped();
                 done = next;
                 part = (part * 2.0).min(1.0);
             } else {
@@ -383,11 +393,12 @@ impl<S: Space<T = f64>> Machine<S> {
             let last = &mut self.unwrapped[*j][*i];
             *last += wrap(raw - *last);
         }
-        debug_assert!(self.stage >= Stage::Position);
+        self.rows.note_coupled(&self.mech, &self.q, &self.x);
     }
     /// Measured angles start afresh within ±180°.
     pub(crate) fn reset_unwrapped(&mut self) {
         self.unwrapped.iter_mut().flatten().for_each(|u| *u = 0.0);
+        self.rows.coupled.fill([0.0; 2]);
         self.note_unwrapped();
     }
 }

@@ -22,7 +22,21 @@ const RANK: f64 = 1e-9;
 const DIFFERENCE: f64 = 1e-6;
 
 type Inputs<'a> = &'a mut dyn FnMut(&dyn Engine, &mut [f64]);
+/// A dense matrix by rows.
+type Matrix = Vec<Vec<f64>>;
 type Lifted<S> = <S as Space>::With<Dual<1>>;
+
+/// The longest step, rad or machine sizes.
+const FARTHEST: f64 = 0.3;
+/// A step is taken back when the forces at its end oppose it more than this part of what drove it.
+const OVERSHOOT: f64 = 0.9;
+
+/// A step taken: from where, along what, and the work rate of the forces at its start.
+struct Step {
+    from: Vec<f64>,
+    motion: Vec<f64>,
+    work: f64,
+}
 
 /// Allowed motions and multipliers at one position.
 struct Allowed {
@@ -39,7 +53,7 @@ impl<S: Space<T = f64>> Machine<S> {
         inputs: Inputs<'_>,
     ) -> Result<Equilibrium, MechanismError> {
         let held: Vec<(Source, f64)> = hold.iter().filter_map(|(c, x)| Some((self.mech.source(*c)?, *x))).collect();
-        let lifted = Mechanism::<Lifted<S>>::build(&self.blueprint.map(|x| Dual::from_re(x)))
+        let lifted = Mechanism::<Lifted<S>>::build(&self.blueprint.map(Dual::from_re))
             .map_err(|_| MechanismError::NotFinite("the mechanism's data"))?;
         self.close_loops(&held)?;
         let (iterations, residual) = self.descend(&lifted, &held, inputs)?;
@@ -57,10 +71,22 @@ impl<S: Space<T = f64>> Machine<S> {
         held: &[(Source, f64)],
         inputs: Inputs<'_>,
     ) -> Result<(usize, f64), MechanismError> {
-        let (mut reach, mut energy) = (0.3_f64, f64::INFINITY);
+        let mut reach = FARTHEST;
         let mut worst = (f64::INFINITY, 0);
+        let mut last: Option<Step> = None;
         for iteration in 0..MOST_ITERATIONS {
-            let q = self.forces_at_rest(inputs)?;
+            let mut q = self.forces_at_rest(inputs)?;
+            if let Some(step) = &last {
+                if dot(&step.motion, &q) < -OVERSHOOT * step.work {
+                    // The forces now push back harder than they drove: the equilibrium was passed.
+                    reach = 0.4 * self.extent(&step.motion);
+                    self.q.copy_from_slice(&step.from);
+                    self.update_positions();
+                    q = self.forces_at_rest(inputs)?;
+                } else {
+                    reach = (reach * 2.0).min(FARTHEST);
+                }
+            }
             let size = q.iter().fold(1e-9, |m: f64, x| m.max(x.abs())).max(self.load_size());
             let allowed = self.allowed(held, &q);
             let r: Vec<f64> = allowed.motions.iter().map(|n| dot(n, &q)).collect();
@@ -68,16 +94,14 @@ impl<S: Space<T = f64>> Machine<S> {
             if worst.0 <= BALANCED * size {
                 return Ok((iteration, worst.0));
             }
-            let now = self.read_energy().potential;
-            reach = if now > energy + 1e-12 * energy.abs() { (reach * 0.5).max(1e-4) } else { (reach * 1.3).min(0.5) };
-            energy = now;
-            let curvature = self.curvature(lifted, held, &allowed, inputs);
-            let y = downhill(&curvature, &r);
+            let y = downhill(&self.curvature(lifted, held, &allowed, inputs), &r);
             self.scratch.delta.fill(0.0);
             for (n, y) in allowed.motions.iter().zip(&y) {
                 self.scratch.delta.iter_mut().zip(n).for_each(|(d, n)| *d += y * n);
             }
             self.limit_rest_step(reach);
+            let motion = self.scratch.delta.clone();
+            last = Some(Step { from: self.q.clone(), work: dot(&motion, &q), motion });
             self.step(1.0);
             self.update_positions();
             self.close_loops(held)?;
@@ -210,16 +234,22 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     fn limit_rest_step(&mut self, reach: f64) {
-        let mut largest: f64 = 0.0;
-        for node in &self.mech.nodes[1..] {
-            let unit = if matches!(node.motion, Motion::Slide) { self.mech.size } else { 1.0 };
-            for d in &self.scratch.delta[node.v..node.v + node.motion.dofs()] {
-                largest = largest.max(d.abs() / unit);
-            }
-        }
+        let largest = self.extent(&self.scratch.delta);
         if largest > reach {
             self.scratch.delta.iter_mut().for_each(|d| *d *= reach / largest);
         }
+    }
+
+    /// Largest part of a motion, rad or machine sizes.
+    fn extent(&self, motion: &[f64]) -> f64 {
+        let mut largest: f64 = 0.0;
+        for node in &self.mech.nodes[1..] {
+            let unit = if matches!(node.motion, Motion::Slide) { self.mech.size } else { 1.0 };
+            for d in &motion[node.v..node.v + node.motion.dofs()] {
+                largest = largest.max(d.abs() / unit);
+            }
+        }
+        largest
     }
 
     /// Allowed motions and curvature at the equilibrium.
@@ -228,7 +258,7 @@ impl<S: Space<T = f64>> Machine<S> {
         lifted: &Mechanism<Lifted<S>>,
         held: &[(Source, f64)],
         inputs: Inputs<'_>,
-    ) -> Result<(Vec<Vec<f64>>, Vec<Vec<f64>>), MechanismError> {
+    ) -> Result<(Matrix, Matrix), MechanismError> {
         let q = self.forces_at_rest(inputs)?;
         let allowed = self.allowed(held, &q);
         let k = self.curvature(lifted, held, &allowed, inputs);

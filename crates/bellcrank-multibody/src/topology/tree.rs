@@ -3,12 +3,12 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A joint that may carry a body: between two bodies, with this many degrees of freedom.
+/// A joint that may carry a body: between two bodies, at a cost that grows with its degrees of freedom.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge {
     pub(crate) joint: usize,
     pub(crate) bodies: [usize; 2],
-    pub(crate) dofs: usize,
+    pub(crate) cost: usize,
 }
 
 /// A tree edge in the order of building: the body `child` is reached through `joint`.
@@ -68,7 +68,7 @@ impl Grow<'_> {
             let e = self.edges[k];
             let other = if e.bodies[0] == body { e.bodies[1] } else { e.bodies[0] };
             if self.depth[other] == usize::MAX {
-                self.heap.push(Reverse((e.dofs, depth, k, other)));
+                self.heap.push(Reverse((e.cost, depth, k, other)));
             }
         }
     }
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn the_freest_joint_of_a_loop_is_cut_and_lone_bodies_float() {
-        let edge = |joint, a, b, dofs| Edge { joint, bodies: [a, b], dofs };
+        let edge = |joint, a, b, cost| Edge { joint, bodies: [a, b], cost };
         let edges = [edge(0, 0, 1, 1), edge(1, 1, 2, 3), edge(2, 2, 0, 1), edge(3, 3, 3, 1)];
         let tree = spanning_tree(4, &edges);
         assert!(tree.iter().all(|b| b.joint != Some(1)));
