@@ -3,10 +3,8 @@
 #![expect(unreachable_pub, reason = "modules shared with the tests")]
 
 #[path = "../tests/it/build.rs"]
-#[expect(dead_code, reason = "the tests use more of it")]
 mod build;
 #[path = "../tests/it/machines.rs"]
-#[expect(dead_code, reason = "the tests use more of it")]
 mod machines;
 
 use bellcrank_multibody::{Actuation, Engine, engine_for};
