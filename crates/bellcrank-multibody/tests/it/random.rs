@@ -481,3 +481,48 @@ fn spatial_mechanisms() {
         .count();
     assert!(tested > 60, "only {tested} of 120 mechanisms could be tested");
 }
+
+/// A planar mechanism written in space is redundant, moves the same, and asks the same of its drives.
+#[test]
+fn the_plane_in_space_is_the_plane() {
+    let mut tested = 0;
+    for seed in 0..40 {
+        let b = random_mechanism(seed, true, 2 + (seed as usize) % 5, (seed as usize) % 4);
+        let Some((mut flat, list)) = prepared(&b, true) else { continue };
+        let mut space = engine_for(false, &b).expect("builds in space");
+        space.assemble(&[]).expect("assembles in space");
+        let a = Actuation { position: list.clone(), rate: list.clone(), effort: list.clone() };
+        let m = Motion {
+            at: list.iter().map(|c| flat.coordinate(*c).position).collect(),
+            rate: list.iter().map(|_| 0.4).collect(),
+            accel: list.iter().map(|_| -0.3).collect(),
+        };
+        // A ball of mobility out of the plane (a distance or a line does not hold it) is not the same machine.
+        if space.prepare(&a).is_err() || !solve(&mut *flat, &m, 0.0) || !solve(&mut *space, &m, 0.0) {
+            continue;
+        }
+        compare(&b, &*flat, &mut *space, list.len(), &format!("seed {seed}"));
+        tested += 1;
+    }
+    assert!(tested > 20, "only {tested} of 40 could be compared");
+}
+
+fn compare(b: &Blueprint<f64>, flat: &dyn Engine, space: &mut dyn Engine, drives: usize, what: &str) {
+    let unique = space.uniqueness();
+    let size = (0..b.joints.len()).fold(1.0, |s: f64, j| s.max(largest(flat.reaction(JointId(j)).force)));
+    for k in 0..drives {
+        assert!((flat.drive(k) - space.drive(k)).abs() < 1e-8 * size, "{what}: drive {k}");
+    }
+    for (j, unique) in unique.iter().enumerate() {
+        let (p, s) = (flat.reaction(JointId(j)), space.reaction(JointId(j)));
+        let pairs = [
+            (p.force[0], s.force[0], unique[0]),
+            (p.force[1], s.force[1], unique[1]),
+            (p.moment[2], s.moment[2], unique[5]),
+        ];
+        for (k, (p, s, unique)) in pairs.into_iter().enumerate() {
+            assert!(!unique || (p - s).abs() < 1e-8 * size, "{what}: joint {j} component {k}: {p} against {s}");
+        }
+    }
+    assert!(space.checks().balance < 1e-9 && space.checks().closure < 1e-12, "{what}: {:?}", space.checks());
+}
