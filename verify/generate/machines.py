@@ -355,7 +355,7 @@ def leg_forces(t, low, high):
         add_ = xu @ rest / (xu @ xu)
         all_ = add_ * ex + bdd * e2 + bd * e2d
         Rl = np.column_stack([np.cross(e2, u), e2, u])
-        for m, com, I0, moving in ((low, [0.003, -0.002, 0.21], np.diag([0.013, 0.014, 0.0012]) * low, 0), (high, [-0.001, 0.002, -0.24], np.diag([0.015, 0.016, 0.0007]) * high, 1)):
+        for m, com, I0, moving in ((low, [0.003, -0.002, 0.21], np.diag([0.013, 0.014, 0.0012]) * low, 0), (high, [-0.001, 0.002, -0.24], np.diag([0.015, 0.0155, 0.0007]) * high, 1)):
             rc = Rl @ com
             base_a = a if moving else np.zeros(3)
             base_J = Jp(d) if moving else np.zeros((3, 6))
