@@ -44,11 +44,23 @@ impl Override {
         if name.trim().is_empty() || value.trim().is_empty() {
             return fault("expected `NAME=VALUE`, found one side empty");
         }
-        let at = name.len() + 1;
-        let span = Span::new(id, at, argument.len());
+        // In a file the value stands in quotes, so it may here as well.
+        let (value, skipped) = unquoted(value);
+        let at = name.len() + 1 + skipped;
+        let span = Span::new(id, at, at + value.len());
         let name_start = name.len() - name.trim_start().len();
         let written = WrittenValue::text(Written { text: value, span, origin: Some(at) }).into_owned();
         let name_span = Span::new(id, name_start, name_start + name.trim().len());
         Ok(Override { name: name.trim().to_owned(), name_span, written })
+    }
+}
+
+/// A value without the quotes around it, and how much stands before it.
+fn unquoted(value: &str) -> (&str, usize) {
+    let trimmed = value.trim();
+    let inside = ['"', '\''].iter().find_map(|&quote| trimmed.strip_prefix(quote)?.strip_suffix(quote));
+    match inside {
+        Some(inside) if !inside.trim().is_empty() => (inside, value.len() - value.trim_start().len() + 1),
+        _ => (value, 0),
     }
 }

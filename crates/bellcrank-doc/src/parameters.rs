@@ -119,7 +119,9 @@ impl ParameterSet {
         }
     }
 
-    pub(crate) fn is_faulty(&self, name: &str) -> bool {
+    /// Whether a parameter of this name was there, but wrong (and reported): what refers to it is not to blame.
+    #[must_use]
+    pub fn is_faulty(&self, name: &str) -> bool {
         self.faulty.contains(name)
     }
 

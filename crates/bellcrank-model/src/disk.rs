@@ -12,7 +12,11 @@ pub(crate) fn read_source(sources: &mut Sources, path: &Path, diagnostics: &mut 
     match bytes(path, &name) {
         Ok(bytes) => load(sources, &name, &bytes, diagnostics),
         Err(report) => {
-            diagnostics.push(*report);
+            let meant = Some(format!("{name}.toml")).filter(|meant| Path::new(meant).is_file());
+            diagnostics.push(match meant {
+                Some(meant) => Diagnostic { hints: Vec::new(), ..*report }.did_you_mean(Some(&meant)),
+                None => *report,
+            });
             None
         }
     }
@@ -23,7 +27,11 @@ fn bytes(path: &Path, name: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
     let about = std::fs::metadata(path).map_err(fault)?;
     if about.is_dir() {
         let message = format!("`{name}` is a folder, not a model file");
-        return Err(Box::new(Diagnostic::placeless("cannot-read", message)));
+        let report = Diagnostic::placeless("cannot-read", message);
+        return Err(Box::new(match models_in(path) {
+            Some(models) => report.hint(format!("files in it: {models}")),
+            None => report,
+        }));
     }
     check_size(name, about.len())?;
     let mut bytes = Vec::new();
@@ -39,4 +47,15 @@ fn unreadable(name: &str, error: &std::io::Error) -> Diagnostic {
         std::io::ErrorKind::NotFound => report.hint("`bellcrank new NAME` writes a model to start from"),
         _ => report,
     }
+}
+
+/// The first few model files of a folder.
+fn models_in(folder: &Path) -> Option<String> {
+    const SHOWN: usize = 5;
+    let entries = std::fs::read_dir(folder).ok()?;
+    let mut names: Vec<String> = entries.flatten().map(|entry| entry.path().display().to_string()).collect();
+    names.retain(|name| name.ends_with(".toml"));
+    names.sort();
+    names.truncate(SHOWN);
+    (!names.is_empty()).then(|| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))
 }

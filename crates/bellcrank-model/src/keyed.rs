@@ -1,9 +1,9 @@
 //! Reading a table by its schema: dimensions and whether a key must be there come from one place.
 
-use bellcrank_doc::{Diagnostic, Dimension, Expression, Fields, Reader, Signals, Span, Spanned, Value};
+use bellcrank_doc::{Diagnostic, Dimension, Expression, Fields, Reader, Signals, Span, Spanned, Value, ValueKind};
 
 use crate::measure::Motion;
-use crate::schema::{Key, OPEN, Schema, Shape};
+use crate::schema::{AXES, Key, OPEN, Schema, Shape};
 
 /// A cursor over a table of a known schema.
 pub(crate) struct Keyed<'a> {
@@ -18,13 +18,16 @@ impl<'a> Keyed<'a> {
     /// Opens a table; one with kinds reads its `kind` first.
     pub(crate) fn new(fields: Fields<'a>, schema: &'static Schema, space: usize) -> Keyed<'a> {
         let kinds: Vec<&'static str> = schema.kinds.iter().map(|kind| kind.name).collect();
-        let kind = if kinds.is_empty() { None } else { fields.one_of("kind", &kinds).map(|kind| kind.value) };
-        Keyed { fields, schema, kind, space }
+        let kind = if kinds.is_empty() { None } else { kind_of(&fields, &kinds) };
+        let hints = move |key: &str| what_to_write(schema, kind, space, key);
+        Keyed { fields: fields.with_hints(hints), schema, kind, space }
     }
 
     /// Opens a table whose kind is known from elsewhere.
     pub(crate) fn of_kind(fields: Fields<'a>, schema: &'static Schema, kind: &'static str, space: usize) -> Keyed<'a> {
         fields.has("kind");
+        let hints = move |key: &str| what_to_write(schema, Some(kind), space, key);
+        let fields = fields.with_hints(hints);
         Keyed { fields, schema, kind: Some(kind), space }
     }
 
@@ -112,13 +115,14 @@ impl<'a> Keyed<'a> {
     pub(crate) fn vector(&self, name: &'static str) -> Option<Vec<Expression>> {
         let Shape::Vector(dimension) = self.key(name)?.shape else { return None };
         let value = self.value(name)?;
-        self.reader().vector(value, &self.named(name), &vec![dimension; self.space])
+        space_vector(self.reader(), value, &self.named(name), dimension, self.space)
     }
 
     /// The same over signals.
     pub(crate) fn signal_vector(&self, name: &'static str, signals: &mut dyn Signals) -> Option<Vec<Expression>> {
         let Shape::SignalVector(dimension) = self.key(name)?.shape else { return None };
         let value = self.value(name)?;
+        fits_space(self.reader(), value, &self.named(name), self.space)?;
         self.reader().signal_vector(value, &self.named(name), &vec![dimension; self.space], signals)
     }
 
@@ -170,7 +174,7 @@ impl<'a> Keyed<'a> {
         let value = self.value(name)?;
         let what = self.named(name);
         if value.as_str().is_some() {
-            let letter = self.reader().one_of(value, &what, &["x", "y", "z"])?;
+            let letter = self.reader().one_of(value, &what, AXES)?;
             return Some(Axis { span: value.span, kind: AxisKind::Letter(letter.value) });
         }
         let lengths: &[usize] = if self.space == 2 { &[2, 3] } else { &[3] };
@@ -198,6 +202,94 @@ impl<'a> Keyed<'a> {
             self.fields.finish();
         }
     }
+}
+
+/// Words for kinds in other programs and books.
+const ALSO_CALLED: &[(&str, &str)] = &[
+    ("hinge", "revolute"),
+    ("pin", "revolute"),
+    ("rotational", "revolute"),
+    ("rotary", "revolute"),
+    ("slider", "prismatic"),
+    ("translational", "prismatic"),
+    ("slide", "prismatic"),
+    ("cardan", "universal"),
+    ("hooke", "universal"),
+    ("ball", "spherical"),
+    ("fixed", "weld"),
+    ("rigid", "weld"),
+    ("gear", "coupler"),
+    ("helical", "screw"),
+    ("cylinder", "distance"),
+    ("rod", "distance"),
+    ("moment", "torque"),
+    ("damper", "spring"),
+    ("torsion-spring", "joint-spring"),
+    ("motor", "effort"),
+];
+
+fn kind_of(fields: &Fields<'_>, kinds: &[&'static str]) -> Option<&'static str> {
+    let written = fields.optional_value("kind").and_then(|value| Some((value.as_str()?, value.span)));
+    let (word, span) = match written {
+        Some((word, span)) if !kinds.contains(&word) => (word.to_lowercase(), span),
+        _ => return fields.one_of("kind", kinds).map(|kind| kind.value),
+    };
+    let meant = ALSO_CALLED.iter().find(|(other, kind)| *other == word && kinds.contains(kind));
+    let Some((_, meant)) = meant else { return fields.one_of("kind", kinds).map(|kind| kind.value) };
+    let message = format!("`kind` of {} cannot be `{word}`", fields.what());
+    fields
+        .reader()
+        .report(Diagnostic::error("unknown-choice", span, message).hint(format!("here it is called `{meant}`")));
+    None
+}
+
+/// As many values as the space has dimensions.
+pub(crate) fn space_vector(
+    reader: &Reader<'_>,
+    value: &Value,
+    what: &str,
+    dimension: Dimension,
+    space: usize,
+) -> Option<Vec<Expression>> {
+    fits_space(reader, value, what, space)?;
+    reader.vector(value, what, &vec![dimension; space])
+}
+
+/// Reports what is no list of as many values as the space has dimensions.
+fn fits_space(reader: &Reader<'_>, value: &Value, what: &str, space: usize) -> Option<()> {
+    let found = match (value.as_list(), &value.kind) {
+        (Some(list), _) if list.len() == space => return Some(()),
+        (_, ValueKind::Faulty) => return None,
+        (Some(list), _) => list.len().to_string(),
+        (None, _) => value.describe().to_owned(),
+    };
+    let message = format!("{what} needs {space} values, found {found}");
+    let hint = match space {
+        2 => "the model is planar: `[x, y]`, a unit with each that is not 0",
+        _ => "the model is spatial: `[x, y, z]`, a unit with each that is not 0",
+    };
+    reader.report(Diagnostic::error("wrong-length", value.span, message).hint(hint));
+    None
+}
+
+/// What to write where a required key is absent.
+fn what_to_write(schema: &'static Schema, kind: Option<&str>, space: usize, key: &str) -> Option<String> {
+    if key == "kind" {
+        let kinds: Vec<String> = schema.kinds.iter().map(|kind| format!("`{}`", kind.name)).collect();
+        return Some(format!("one of {}", kinds.join(", ")));
+    }
+    let found = schema.keys_of(kind).find(|known| known.name == key)?;
+    Some(match (found.shape, key, space) {
+        (Shape::Version, ..) => format!("write `{key} = 1` at the top"),
+        (Shape::OneOf(words), ..) => {
+            let words: Vec<String> = words.iter().map(|word| format!("`{key} = \"{word}\"`")).collect();
+            format!("write {}", words.join(" or "))
+        }
+        (_, "gravity", 2) => "write `gravity = [0, \"-9.81 m/s^2\"]`, or `[0, 0]` for none".to_owned(),
+        (_, "gravity", _) => "write `gravity = [0, 0, \"-9.81 m/s^2\"]`, or `[0, 0, 0]` for none".to_owned(),
+        (_, "connects", _) => "two points: `connects = [\"ground.O\", \"crank.O\"]`".to_owned(),
+        _ => format!("`{key}`: {}", found.doc),
+    })
 }
 
 /// An axis as written.

@@ -70,12 +70,19 @@ fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
     // A mechanism is made only of what was read without an error.
     let whole = !diagnostics.has_errors();
     let mut found = faults(&read.design, &values, whole);
+    if whole && found.is_empty() {
+        found.extend(build::implausible(&read.design, &values));
+    }
     for study in &read.studies {
         let in_study = if study.changed.is_empty() { Vec::new() } else { faults(&read.design, &study.values, whole) };
         // What is wrong without the study, too, has been told.
         let new = in_study.into_iter().filter(|fault| !found.contains(fault)).collect::<Vec<_>>();
         found.extend(new.into_iter().map(|fault| with_study(fault, study)));
-        found.extend(study.faults(&read.design));
+        let wrong = study.faults(&read.design);
+        if wrong.is_empty() {
+            found.extend(build::implausible_study(&read.design, study));
+        }
+        found.extend(wrong);
     }
     if whole {
         found.extend(check_connected(&read.design));

@@ -63,19 +63,20 @@ impl Index {
         let report = Diagnostic::error("unknown-name", span, format!("there is no {what} `{}`", local(full)));
         match self.nearest(full) {
             Some(near) => report.hint(format!("did you mean `{}`?", local(near))),
-            None => report.hint(self.inventory(prefix, what)),
+            None => report.hint(match self.listed(prefix) {
+                Some(names) => format!("the file has: {names}"),
+                None => format!("this file has no {what}"),
+            }),
         }
     }
 
-    fn inventory(&self, prefix: &str, what: &str) -> String {
+    /// The names that start with a prefix, without it; `None` when there are none.
+    pub(crate) fn listed(&self, prefix: &str) -> Option<String> {
         const SHOWN: usize = 12;
         let mut names: Vec<&str> = self.names.iter().filter_map(|n| n.strip_prefix(prefix)).take(SHOWN + 1).collect();
-        if names.is_empty() {
-            return format!("this file has no {what}");
-        }
         if names.len() > SHOWN {
             names[SHOWN] = "...";
         }
-        format!("the file has: {}", names.join(", "))
+        (!names.is_empty()).then(|| names.join(", "))
     }
 }

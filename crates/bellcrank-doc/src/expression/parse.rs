@@ -367,6 +367,10 @@ impl Parser {
     }
 
     fn unexpected(&self) -> Diagnostic {
+        if let TokenKind::Name(word) = self.peek() {
+            let error = Diagnostic::error("expression", self.here(), format!("an operator is missing before `{word}`"));
+            return error.hint(format!("for a product write `*{word}`"));
+        }
         let message = match self.peek() {
             TokenKind::End if self.tokens.len() == 1 => "the expression is empty",
             TokenKind::End => "the expression ends here; expected a number, a name or `(`",

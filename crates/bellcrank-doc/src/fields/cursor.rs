@@ -7,6 +7,9 @@ use super::Reader;
 use super::reader::quoted;
 use crate::{Diagnostic, Dimension, Entry, Expression, Signals, Span, Spanned, Table, Value, ValueKind, nearest};
 
+/// What to write where a key is absent.
+type Hints = Box<dyn Fn(&str) -> Option<String>>;
+
 /// A cursor over one table. Every getter marks its key as known; [`Fields::finish`] reports the
 /// keys that nobody asked for.
 ///
@@ -20,13 +23,28 @@ pub struct Fields<'a> {
     what: String,
     known: RefCell<Vec<&'static str>>,
     missing: RefCell<Vec<&'static str>>,
+    hints: Hints,
 }
 
 impl<'a> Fields<'a> {
     /// A cursor; `what` names the table in messages, as "joint `B`".
     #[must_use]
     pub fn new(reader: &'a Reader<'a>, table: &'a Table, what: impl Into<String>) -> Fields<'a> {
-        Fields { reader, table, what: what.into(), known: RefCell::default(), missing: RefCell::default() }
+        Fields {
+            reader,
+            table,
+            what: what.into(),
+            known: RefCell::default(),
+            missing: RefCell::default(),
+            hints: Box::new(|_| None),
+        }
+    }
+
+    /// What to write where a required key is absent, by key.
+    #[must_use]
+    pub fn with_hints(mut self, hints: impl Fn(&str) -> Option<String> + 'static) -> Fields<'a> {
+        self.hints = Box::new(hints);
+        self
     }
 
     /// The shared reader.
@@ -264,7 +282,7 @@ impl<'a> Fields<'a> {
 impl Drop for Fields<'_> {
     fn drop(&mut self) {
         for key in self.missing.take() {
-            self.reader.missing(key, &self.what, self.table.span);
+            self.reader.missing(key, &self.what, self.table.span, (self.hints)(key));
         }
     }
 }

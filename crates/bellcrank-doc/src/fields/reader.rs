@@ -117,8 +117,9 @@ impl<'p> Reader<'p> {
         if lengths.contains(&values.len()) {
             return Some(values);
         }
+        let values_wanted = if lengths == [1] { "value" } else { "values" };
         let lengths: Vec<String> = lengths.iter().map(usize::to_string).collect();
-        let message = format!("{what} needs {} values, found {}", lengths.join(" or "), values.len());
+        let message = format!("{what} needs {} {values_wanted}, found {}", lengths.join(" or "), values.len());
         self.report(Diagnostic::error("wrong-length", value.span, message));
         None
     }
@@ -238,8 +239,12 @@ impl<'p> Reader<'p> {
         None
     }
 
-    pub(super) fn missing(&self, key: &str, what: &str, span: Span) {
-        self.report(Diagnostic::error("missing-key", span, format!("`{key}` is missing in {what}")));
+    pub(super) fn missing(&self, key: &str, what: &str, span: Span, hint: Option<String>) {
+        let report = Diagnostic::error("missing-key", span, format!("`{key}` is missing in {what}"));
+        self.report(match hint {
+            Some(hint) => report.hint(hint),
+            None => report,
+        });
     }
 }
 

@@ -90,6 +90,9 @@ impl<'t> Errors<'t> {
     /// The commonest slip: a value with a unit, or an expression, without its quotes.
     fn quoting_hint(&self, span: Span) -> String {
         let value = self.text.get(span.start..span.end).unwrap_or("").trim();
+        if value.starts_with(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}', '\u{ab}']) {
+            return "these are the quotation marks of a text editor; write straight ones: `\"`".to_owned();
+        }
         let starts_number = value.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
         let word = value.find(|c: char| c.is_alphabetic()).and_then(|i| value.get(i..)).unwrap_or("");
         let unit = word.split(|c: char| !c.is_alphabetic()).next().unwrap_or("");

@@ -3,7 +3,7 @@
 use bellcrank_doc::{Diagnostic, Span};
 use bellcrank_multibody::{BuildError, Coordinate, JointId};
 
-use crate::design::{Design, Joint};
+use crate::design::{Body, Design, Joint};
 
 /// The report of a blueprint that makes no mechanism.
 pub(super) fn report(design: &Design, error: &BuildError) -> Diagnostic {
@@ -49,14 +49,18 @@ fn attitude(c: Coordinate, joint: String, span: Span) -> Diagnostic {
 
 /// Bodies that no chain of joints leads to from the ground: a warning each.
 pub(crate) fn check_connected(design: &Design) -> Vec<Diagnostic> {
-    let reached = reached(design.bodies.len(), &design.joints);
-    let loose = design.bodies.iter().zip(reached).filter(|(_, reached)| !reached);
-    let warning = |(body, _): (&crate::design::Body, bool)| {
+    let warning = |body: &Body| {
         let message = format!("body `{}` is not connected to the ground", body.name);
         let hint = "connect it by a joint; one of kind `free` lets it move any way";
         Diagnostic::warning("unconnected-body", body.span, message).hint(hint)
     };
-    loose.map(warning).collect()
+    loose_bodies(design).into_iter().map(warning).collect()
+}
+
+/// Bodies that no chain of joints leads to from the ground.
+pub(crate) fn loose_bodies(design: &Design) -> Vec<&Body> {
+    let reached = reached(design.bodies.len(), &design.joints);
+    design.bodies.iter().zip(reached).filter(|(_, reached)| !reached).map(|(body, _)| body).collect()
 }
 
 fn reached(bodies: usize, joints: &[Joint]) -> Vec<bool> {

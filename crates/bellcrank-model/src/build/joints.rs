@@ -51,20 +51,26 @@ fn kind(numbers: &mut Numbers<'_>, joint: &Joint) -> JointKind<f64> {
     }
 }
 
-/// In the plane hinges turn about z, and slides stay in it.
+/// In the plane hinges turn about z (or -z: backwards), and slides stay in it.
 fn axis(numbers: &mut Numbers<'_>, joint: &Joint, direction: &Direction) -> [f64; 3] {
     let axis = numbers.direction(direction, &format!("the axis of joint `{}`", joint.name));
     if !numbers.design.planar || axis == [0.0; 3] {
         return axis;
     }
-    let about_z = axis[0] == 0.0 && axis[1] == 0.0 && axis[2] > 0.0;
+    let about_z = axis[0] == 0.0 && axis[1] == 0.0;
     let report = |message: String, hint: &str| Diagnostic::error("not-in-plane", direction.span, message).hint(hint);
     if joint.kind == "revolute" && !about_z {
         let message = format!("joint `{}` turns about an axis other than z", joint.name);
-        numbers.faults.push(report(message, "in the plane every hinge turns about z; leave `axis` out"));
+        numbers.faults.push(report(
+            message,
+            "in the plane every hinge turns about z; leave `axis` out, or give `\"-z\"` to count backwards",
+        ));
     } else if joint.kind != "revolute" && axis[2] != 0.0 {
         let message = format!("the axis of joint `{}` leaves the plane", joint.name);
-        numbers.faults.push(report(message, "in the plane an axis is `\"x\"`, `\"y\"` or a vector `[x, y]`"));
+        numbers.faults.push(report(
+            message,
+            "in the plane an axis is `\"x\"`, `\"y\"`, either with a minus, or a vector `[x, y]`",
+        ));
     }
     axis
 }

@@ -5,6 +5,7 @@ mod faults;
 mod forces;
 mod frames;
 mod joints;
+mod plausible;
 mod studies;
 
 use bellcrank_doc::{Diagnostic, Span};
@@ -13,7 +14,8 @@ use bellcrank_multibody::{Blueprint, Engine, engine_for};
 use crate::design::{Components, Design, Direction, Quantity, Values};
 use crate::geometry::Geometry;
 
-pub(crate) use faults::check_connected;
+pub(crate) use faults::{check_connected, loose_bodies};
+pub(crate) use plausible::{implausible, implausible_study};
 
 /// A model in numbers.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! `[ground]` and `[bodies]`.
 
-use bellcrank_doc::{Diagnostic, Span, Value};
+use bellcrank_doc::{Diagnostic, Entry, Span, Value};
 
 use super::files::Mount;
 use super::points::{self, Owner};
@@ -83,7 +83,13 @@ fn inertia(part: PartReader<'_>, keyed: &Keyed<'_>) -> Option<Vec<Quantity>> {
     let dimension = bellcrank_doc::Dimension::INERTIA;
     let read = match (value.as_list(), part.planar) {
         (None, true) => part.reader.quantity(value, &what, dimension).map(|one| vec![one]),
-        (Some(_), true) => part.reader.uniform_vector(value, &what, dimension, &[1]),
+        (Some(list), true) if list.len() == 1 => part.reader.uniform_vector(value, &what, dimension, &[1]),
+        (Some(list), true) => {
+            let message = format!("{what} needs one value in the plane, found {}", list.len());
+            let report = Diagnostic::error("wrong-length", value.span, message);
+            part.reader.report(report.hint("about the centre of mass, round z: `inertia = \"0.1 kg*m^2\"`"));
+            None
+        }
         (Some(_), false) => part.reader.uniform_vector(value, &what, dimension, &[3, 6]),
         (None, false) => {
             let message = format!("{what} needs a list in space: [Ixx, Iyy, Izz], or with Ixy, Ixz, Iyz");
@@ -135,14 +141,36 @@ fn read_ground(part: PartReader<'_>, machine: &mut Machine) {
     let Some(entry) = part.part.table.get("ground") else { return };
     let Some(fields) = part.reader.fields(&entry.value, "the ground") else { return };
     let keyed = Keyed::new(fields, &GROUND, part.space());
-    if let Some(value) = keyed.value("points") {
-        let owner = Owner { what: "the ground".to_owned(), prefix, base };
-        for point in points::read(part, value, &owner) {
-            machine.point_names[body].insert(&point.name, machine.bodies[body].points.len());
-            machine.bodies[body].points.push(point);
-        }
+    let owner = Owner { what: "the ground".to_owned(), prefix, base };
+    let mut read = keyed.value("points").map_or_else(Vec::new, |value| points::read(part, value, &owner));
+    let strays = strays(&entry.value);
+    if strays.is_empty() {
+        keyed.finish();
+    } else {
+        report_strays(part, &strays);
+        read.extend(strays.into_iter().filter_map(|entry| points::read_point(part, entry, &owner)));
     }
-    keyed.finish();
+    for point in read {
+        machine.point_names[body].insert(&point.name, machine.bodies[body].points.len());
+        machine.bodies[body].points.push(point);
+    }
+}
+
+/// Entries of `[ground]` that look like points: the commonest slip there.
+fn strays(value: &Value) -> Vec<&Entry> {
+    let is_point = |entry: &&Entry| entry.value.as_list().is_some() && entry.key != "points";
+    let all: Vec<&Entry> = value.as_table().into_iter().flat_map(|table| table.iter()).collect();
+    let others = all.iter().filter(|entry| entry.key != "points").count();
+    let strays: Vec<&Entry> = all.into_iter().filter(is_point).collect();
+    // Anything else is an unknown key like any other.
+    if strays.len() == others { strays } else { Vec::new() }
+}
+
+fn report_strays(part: PartReader<'_>, strays: &[&Entry]) {
+    let names: Vec<String> = strays.iter().map(|entry| format!("`{}`", entry.key)).collect();
+    let message = format!("points of the ground stand in `[ground.points]`, found {} in `[ground]`", names.join(", "));
+    let report = Diagnostic::error("unknown-key", strays[0].key_span, message);
+    part.reader.report(report.hint("write `[ground.points]` for `[ground]`"));
 }
 
 /// The point that carries the ground of a subsystem.

@@ -8,6 +8,8 @@ use crate::design::{Components, Direction, PointRef, Quantity};
 use crate::keyed::{Axis, AxisKind};
 use crate::measure::Motion;
 
+const TWO_POINTS: &str = "a list of two, as `[\"ground.O\", \"crank.O\"]`";
+
 /// A file, its reader, and the space it is in.
 #[derive(Clone, Copy)]
 pub(crate) struct PartReader<'a> {
@@ -43,6 +45,9 @@ impl<'a> PartReader<'a> {
             AxisKind::Letter(letter) => Components::Fixed(match letter {
                 "x" => [1.0, 0.0, 0.0],
                 "y" => [0.0, 1.0, 0.0],
+                "-x" => [-1.0, 0.0, 0.0],
+                "-y" => [0.0, -1.0, 0.0],
+                "-z" => [0.0, 0.0, -1.0],
                 _ => [0.0, 0.0, 1.0],
             }),
             AxisKind::Vector(values) => Components::Given(self.quantities(values)),
@@ -68,10 +73,15 @@ impl<'a> PartReader<'a> {
 
     /// The two points of `connects` or `between`.
     pub(crate) fn pair(&self, machine: &Machine, value: &Value, what: &str) -> Option<[PointRef; 2]> {
+        if value.as_str().is_some() {
+            let message = format!("{what} needs two points, found one");
+            self.reader.report(Diagnostic::error("wrong-type", value.span, message).hint(TWO_POINTS));
+            return None;
+        }
         let names = self.reader.strings(value, what)?;
         if names.len() != 2 {
             let message = format!("{what} needs two points, found {}", names.len());
-            self.reader.report(Diagnostic::error("wrong-length", value.span, message));
+            self.reader.report(Diagnostic::error("wrong-length", value.span, message).hint(TWO_POINTS));
             return None;
         }
         let points: Vec<Option<PointRef>> = names.into_iter().map(|name| self.point(machine, name)).collect();

@@ -78,7 +78,12 @@ struct Expander<'s> {
 impl Expander<'_> {
     fn file(&mut self, path: &Path, prefix: String, mount: Mount, given: Option<Given<'_>>) -> Option<()> {
         let source = read_source(self.sources, path, self.diagnostics)?;
+        let errors = self.diagnostics.errors();
         let table = parse(self.sources, source, self.diagnostics);
+        // Nothing of it could be read: what is missing in it is no news.
+        if table.is_empty() && self.diagnostics.errors() > errors {
+            return None;
+        }
         let parameters = self.parameters(&table, &prefix);
         let scope = ScopeId(self.scopes.len());
         let parent = given.map(|given| (given.parent, self.set(given, &parameters, &prefix)));
@@ -228,6 +233,9 @@ impl Expander<'_> {
 
 fn one_set(reader: &Reader<'_>, inner: &ParameterSet, entry: &Entry) -> Option<(usize, Expression)> {
     let Some(index) = inner.index(&entry.key) else {
+        if inner.is_faulty(&entry.key) {
+            return None;
+        }
         let message = format!("the subsystem has no parameter `{}`", entry.key);
         let near = nearest(&entry.key, inner.all().iter().map(|p| p.name.as_str()));
         reader.report(Diagnostic::error("unknown-name", entry.key_span, message).did_you_mean(near));
@@ -276,6 +284,7 @@ impl<'s> Tables<'s> {
 fn placed(report: Diagnostic, span: Span) -> Diagnostic {
     match report.primary {
         Some(_) => report,
-        None => Diagnostic { primary: Diagnostic::error(report.code, span, "").primary, ..report },
+        // What is said of model files does not help with a table.
+        None => Diagnostic { primary: Diagnostic::error(report.code, span, "").primary, hints: Vec::new(), ..report },
     }
 }

@@ -212,10 +212,21 @@ fn between(force: &Opened<'_>, machine: &Machine) -> Option<[crate::design::Poin
 }
 
 fn spring(force: &Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Option<ForceShape> {
+    acts(force, &["stiffness", "damping", "preload"]);
     let between = between(force, machine);
     let [stiffness, damping, free_length, preload] =
         ["stiffness", "damping", "free_length", "preload"].map(|name| loads.or_zero(force, name));
     Some(ForceShape::Spring { between: between?, stiffness, damping, free_length, preload })
+}
+
+/// Reports an element that has none of what would make it act.
+fn acts(force: &Opened<'_>, names: &[&'static str]) {
+    if names.iter().any(|name| force.keyed.has(name)) {
+        return;
+    }
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    let message = format!("{} does nothing: none of {} is given", force.keyed.what(), names.join(", "));
+    force.keyed.report(Diagnostic::warning("no-effect", force.keyed.span(), message));
 }
 
 fn bushing(force: &Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Option<ForceShape> {
@@ -233,6 +244,7 @@ fn along_coordinate(force: &Opened<'_>, loads: &mut Loads<'_>) -> Option<ForceSh
     match force.kind {
         "effort" => Some(ForceShape::Effort { coordinate, value: loads.optional(force, "value")? }),
         "joint-spring" => {
+            acts(force, &["stiffness", "damping", "preload"]);
             let [stiffness, damping, free_position, preload] =
                 ["stiffness", "damping", "free_position", "preload"].map(|name| loads.or_zero(force, name));
             Some(ForceShape::JointSpring { coordinate, stiffness, damping, free_position, preload })
@@ -243,6 +255,7 @@ fn along_coordinate(force: &Opened<'_>, loads: &mut Loads<'_>) -> Option<ForceSh
 }
 
 fn friction(force: &Opened<'_>, coordinate: Coordinate, motion: Motion, loads: &mut Loads<'_>) -> ForceShape {
+    acts(force, &["coulomb", "static", "viscous"]);
     let rubs = force.keyed.has("coulomb") || force.keyed.has("static");
     if motion == Motion::Turn && rubs && !force.keyed.has("radius") {
         let message = format!("`radius` is missing in {}: it is on a turning coordinate", force.keyed.what());

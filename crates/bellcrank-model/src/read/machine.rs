@@ -42,7 +42,11 @@ impl Machine {
     pub(crate) fn point(&self, written: &str, prefix: &str, span: Span) -> Result<PointRef, Box<Diagnostic>> {
         let Some((body_name, point_name)) = written.rsplit_once('.') else {
             let message = format!("expected a point, `body.point`, found `{written}`");
-            return Err(Box::new(Diagnostic::error("not-a-point", span, message)));
+            let report = Diagnostic::error("not-a-point", span, message);
+            return Err(Box::new(match self.body_names.get(&format!("{prefix}{written}")) {
+                Some(body) => report.hint(self.points_of(body, "", written)),
+                None => report,
+            }));
         };
         let body = self.body_names.find(body_name, prefix, "body", span)?;
         let full = format!("{prefix}{body_name}");
@@ -57,12 +61,29 @@ impl Machine {
 
     fn unknown_point(&self, body: usize, before: &str, body_name: &str, point_name: &str, span: Span) -> Diagnostic {
         let full = format!("{before}{point_name}");
-        let mut report = self.point_names[body].unknown(&full, before, "point", span);
-        report.message = format!("body `{body_name}` has no point `{point_name}`");
+        let names = &self.point_names[body];
+        let message = match body {
+            0 => format!("the ground has no point `{point_name}`"),
+            _ => format!("body `{body_name}` has no point `{point_name}`"),
+        };
+        let mut report = Diagnostic::error("unknown-name", span, message);
+        report = match names.nearest(&full) {
+            Some(near) => report.hint(format!("did you mean `{}`?", near.strip_prefix(before).unwrap_or(near))),
+            None => report.hint(self.points_of(body, before, body_name)),
+        };
         if let Some(body) = self.bodies.get(body).filter(|body| body.name != "ground") {
             report = report.also(body.span, "this body");
         }
         report
+    }
+
+    /// The points that a body has, or how it gets some.
+    fn points_of(&self, body: usize, before: &str, written: &str) -> String {
+        match self.point_names[body].listed(before) {
+            Some(names) => format!("points of `{written}`: {names}"),
+            None if body == 0 => "points of the ground stand in `[ground.points]`, as `O = [0, 0]`".to_owned(),
+            None => format!("`{written}` has no points; give it some: `points = {{ A = [0, 0] }}`"),
+        }
     }
 
     /// Whether a joint of this full name (or coordinate) was there, but wrong.

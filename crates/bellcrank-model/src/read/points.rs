@@ -4,7 +4,7 @@ use bellcrank_doc::{Diagnostic, Entry, Value};
 
 use super::PartReader;
 use crate::design::{Point, Rotation};
-use crate::keyed::Keyed;
+use crate::keyed::{Keyed, space_vector};
 use crate::names;
 use crate::schema::PLACE;
 
@@ -31,7 +31,7 @@ pub(crate) fn read(part: PartReader<'_>, value: &Value, owner: &Owner) -> Vec<Po
 }
 
 /// A point that cannot be read is kept at the origin: what refers to it is not wrong for that.
-fn read_point(part: PartReader<'_>, entry: &Entry, owner: &Owner) -> Option<Point> {
+pub(crate) fn read_point(part: PartReader<'_>, entry: &Entry, owner: &Owner) -> Option<Point> {
     let what = format!("point `{}` of {}", entry.key, owner.what);
     let mut point = Point {
         name: format!("{}{}", owner.prefix, entry.key),
@@ -46,9 +46,8 @@ fn read_point(part: PartReader<'_>, entry: &Entry, owner: &Owner) -> Option<Poin
         point.rotation = rotation(part, &keyed);
         keyed.finish();
     } else {
-        let dimensions = vec![bellcrank_doc::Dimension::LENGTH; part.space()];
-        point.at =
-            part.reader.vector(&entry.value, &what, &dimensions).map(|at| part.quantities(at)).unwrap_or_default();
+        let at = space_vector(part.reader, &entry.value, &what, bellcrank_doc::Dimension::LENGTH, part.space());
+        point.at = at.map(|at| part.quantities(at)).unwrap_or_default();
     }
     Some(point)
 }

@@ -229,7 +229,7 @@ fn parameters(keyed: &Keyed<'_>, key: &'static str, of: Referred<'_>) -> Vec<usi
     let parameters = of.part.reader.parameters();
     let find = |(name, span): (&str, Span)| {
         let found = parameters.index(name);
-        if found.is_none() {
+        if found.is_none() && !parameters.is_faulty(name) {
             let near = nearest(name, parameters.all().iter().map(|p| p.name.as_str()));
             let report = Diagnostic::error("unknown-name", span, format!("there is no parameter `{name}`"));
             keyed.report(report.did_you_mean(near));

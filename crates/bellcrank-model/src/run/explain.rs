@@ -171,6 +171,12 @@ fn degrees(count: usize) -> String {
 }
 
 fn under_driven(namer: &Namer<'_>, freedom: usize, driven: usize, free: &[Coordinate]) -> (String, Vec<String>) {
+    let loose = crate::build::loose_bodies(namer.design);
+    if free.is_empty() && !loose.is_empty() {
+        let names = enumerated(loose.iter().map(|body| format!("`{}`", body.name)).collect());
+        let message = format!("{}, {driven} driven: no joint holds {names}", degrees(freedom));
+        return (message, vec!["connect it to the machine by a joint, or take it out".to_owned()]);
+    }
     let message = format!("{}, {driven} driven: {} can still move", degrees(freedom), namer.list(free));
     (message, vec!["add a drive, a motion or `hold`".to_owned()])
 }

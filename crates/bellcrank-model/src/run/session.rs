@@ -222,7 +222,16 @@ impl<'d> Session<'d> {
 
     /// The failure of a run.
     pub(super) fn failed(&self, error: &MechanismError, place: &str) -> End {
-        Box::new(explain::failure(&self.namer(), error, &format!("study `{}`", self.study.name), place))
+        let namer = self.namer();
+        let mut failure = explain::failure(&namer, error, &format!("study `{}`", self.study.name), place);
+        // It is not the end that lies out of reach then.
+        if let (MechanismError::Stopped { coordinate, reached, .. }, 0) = (error, self.recorder.rows())
+            && let Some(hint) = failure.hints.first_mut()
+        {
+            let (name, reached) = (namer.coordinate(*coordinate), namer.place(*coordinate, *reached));
+            *hint = format!("begin the sweep of `{name}` within its reach: the machine as assembled gets to {reached}");
+        }
+        Box::new(failure)
     }
 
     /// `3 mm`, in display units.

@@ -3,7 +3,7 @@
 use bellcrank_doc::Dimension;
 use serde_json::{Map, Value, json};
 
-use super::keys::{Key, Kind, Schema, Shape};
+use super::keys::{AXES, Key, Kind, Schema, Shape};
 use super::studies::OPEN;
 use super::tables::{MODEL, PLACE};
 
@@ -34,7 +34,7 @@ fn definitions() -> Value {
         "number": number,
         "values": { "anyOf": [{ "$ref": "#/$defs/number" }, { "type": "array", "items": { "$ref": "#/$defs/number" } }] },
         "vector": vector(reference),
-        "axis": { "anyOf": [{ "enum": ["x", "y", "z"] }, vector(json!({ "$ref": "#/$defs/number" }))] },
+        "axis": { "anyOf": [{ "enum": AXES }, vector(json!({ "$ref": "#/$defs/number" }))] },
         "points": { "type": "object", "additionalProperties": { "anyOf": [{ "$ref": "#/$defs/vector" }, object(&PLACE)] } },
         "parameters": { "type": "object", "additionalProperties": { "anyOf": [{ "$ref": "#/$defs/number" }, parameter()] } },
         "map": { "type": "object", "additionalProperties": { "$ref": "#/$defs/number" } },

@@ -32,6 +32,9 @@ impl Along {
     }
 }
 
+/// Axes that have a name.
+pub(crate) const AXES: &[&str] = &["x", "y", "z", "-x", "-y", "-z"];
+
 /// What a key may hold.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Shape {
@@ -63,7 +66,7 @@ pub(crate) enum Shape {
     List(Dimension, &'static [usize]),
     /// A value or list of values, of dimensions that follow from elsewhere in the file.
     Values,
-    /// `"x"`, `"y"`, `"z"` or a vector.
+    /// `"x"`, `"y"`, `"z"`, one of them with a minus, or a vector.
     Axis,
     /// An arithmetic expression over reductions of signals, or a comparison of two.
     Response,

@@ -8,6 +8,6 @@ mod tables;
 
 pub(crate) use joints_and_forces::{FORCE, JOINT};
 pub use json::schema;
-pub(crate) use keys::{Along, Key, Schema, Shape};
+pub(crate) use keys::{AXES, Along, Key, Schema, Shape};
 pub(crate) use studies::{AVAILABLE, OPEN, STUDY};
 pub(crate) use tables::{BODY, GROUND, MODEL, MOTION, PLACE, SEGMENT, SUBSYSTEM};

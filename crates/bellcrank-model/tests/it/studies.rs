@@ -186,3 +186,47 @@ fn a_cancelled_run_keeps_its_rows() {
     assert!(result.failure.expect("a failure").message.contains("stopped on request"));
     assert!(result.table.rows() > 100 && result.table.rows() < 400);
 }
+
+#[test]
+fn a_hinge_in_the_plane_may_count_backwards() {
+    let sweep = |to: &str| {
+        format!(
+            "[studies.a]\nkind = \"inverse-dynamics\"\nhold = [\"wrist\"]\n\
+             sweep = {{ joint = \"hinge\", from = 0, to = \"{to}\", points = 4 }}\n\
+             drive = {{ velocity = \"{to}/(1 s)\" }}\n"
+        )
+    };
+    let forwards = model("forwards", &(PENDULUM.to_owned() + &sweep("60 deg")));
+    let hinge = "connects = [\"ground.O\", \"arm.O\"]";
+    for (name, axis) in [("minus-z", "\"-z\""), ("vector", "[0, 0, -2]")] {
+        let turned = PENDULUM.replace(hinge, &format!("{hinge}, axis = {axis}"));
+        let backwards = model(name, &(turned + &sweep("-60 deg")));
+        let (a, b) = (run(&forwards, "a"), run(&backwards, "a"));
+        for signal in ["point.arm.P.x", "point.arm.P.vy", "joint.hinge.reaction.fx", "drive.hinge.power"] {
+            let (a, b) = (value(&a, signal, 2), value(&b, signal, 2));
+            assert!((a - b).abs() < 1e-9 * a.abs().max(1.0), "{name} {signal}: {a} and {b}");
+        }
+        assert!((value(&a, "drive.hinge.force", 2) + value(&b, "drive.hinge.force", 2)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_sweep_out_of_reach_from_its_first_position_says_where_the_machine_gets_to() {
+    let text = std::fs::read_to_string(crate::support::lift()).expect("the lift");
+    let study = "[studies.far]\nkind = \"kinematics\"\n\
+                 sweep = { joint = \"slide\", from = \"500 mm\", to = \"700 mm\", points = 3 }\n";
+    let result = run(&model("far", &format!("{text}\n{study}")), "far");
+    let failure = result.failure.expect("a failure");
+    assert_eq!(result.table.rows(), 0);
+    assert!(failure.hints[0].contains("within its reach"), "{:?}", failure.hints);
+}
+
+#[test]
+fn a_body_that_nothing_holds_is_named() {
+    let text = format!(
+        "{PENDULUM}\n[bodies.lost]\npoints = {{ O = [0, 0] }}\n[studies.a]\nkind = \"kinematics\"\nhold = [\"wrist\"]\n\
+         sweep = {{ joint = \"hinge\", from = 0, to = \"10 deg\", points = 3 }}\n"
+    );
+    let failure = run(&model("lost", &text), "a").failure.expect("a failure");
+    assert!(failure.message.contains("no joint holds `lost`"), "{}", failure.message);
+}

@@ -1,4 +1,4 @@
-//! Model files with faults, and the reports they get: `#! error LINE:COLUMN code: message` at their end.
+//! Model files with faults, and the reports they get: `#! error LINE:COLUMN code: message | hint` at their end.
 //! `BELLCRANK_BLESS=1 cargo test -p bellcrank-model suite` rewrites the annotations; read them before committing.
 
 use std::path::{Path, PathBuf};
@@ -28,7 +28,8 @@ fn annotations(path: &Path, loaded: &Loaded) -> Vec<String> {
         };
         let folder = format!("{}/", path.parent().expect("a folder").display());
         let message = finding.message.replace(&folder, "");
-        format!("{} {elsewhere}{place} {}: {message}", finding.severity, finding.code)
+        let hints: String = finding.hints.iter().map(|hint| format!(" | {hint}")).collect();
+        format!("{} {elsewhere}{place} {}: {message}{hints}", finding.severity, finding.code)
     };
     loaded.diagnostics.findings(&loaded.sources).into_iter().map(annotation).collect()
 }

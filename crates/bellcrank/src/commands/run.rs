@@ -89,7 +89,8 @@ fn tell(result: &RunResult, out: &Path, files: usize, printed: Printed, console:
 }
 
 fn whereabouts(out: &Path, files: usize) -> String {
-    format!("{files} files in {}; open {}", out.display(), out.join("report.html").display())
+    let files = if files == 1 { "1 file".to_owned() } else { format!("{files} files") };
+    format!("{files} in {}; open {}", out.display(), out.join("report.html").display())
 }
 
 /// The summary for people says these itself.

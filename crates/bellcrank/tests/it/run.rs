@@ -22,7 +22,8 @@ fn the_lift() {
 #[test]
 fn one_study_with_other_values_elsewhere() {
     let sandbox = Sandbox::with_lift("run-set");
-    let arguments = ["run", "lift.toml", "lift", "--set", "l31=600mm", "--set", "l32 = 200 mm", "--set", "l5=800mm"];
+    let arguments =
+        ["run", "lift.toml", "lift", "--set", "l31=600mm", "--set", "l32 = \"200 mm\"", "--set", "l5=800mm"];
     let output = sandbox.run(&[&arguments[..], &["--out", "deep/er", "--json"]].concat());
     let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
     let peak = printed.pointer("/studies/lift/signals/drive.slide.force/max/value").and_then(Value::as_f64).unwrap();

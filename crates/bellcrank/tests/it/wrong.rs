@@ -7,8 +7,7 @@ use crate::snapshot;
 
 /// Four slips in one file.
 fn slips() -> String {
-    let first_studies = LIFT.split("[studies.influence]").next().unwrap();
-    let text = first_studies.replace("l32 = { value = \"160 mm\"", "l32 = { value = \"160 mmm\"");
+    let text = LIFT.replace("l32 = { value = \"160 mm\"", "l32 = { value = \"160 mmm\"");
     let text = text.replace("m3  = \"20.8 kg\"", "m3  = \"20.8 kg + 2 mm\"");
     let text = text.replace("\"link3.N\", \"link2.N\"", "\"link3.M\", \"link2.N\"");
     text.replace("kind  = \"inverse-dynamics\"", "kind  = \"inverse-dynamic\"")
@@ -56,6 +55,9 @@ fn command_lines() {
     snapshot::check("wrong-set-syntax", &sandbox, &["run", "lift.toml", "--set", "l31"]);
     snapshot::check("wrong-set-name", &sandbox, &["run", "lift.toml", "--set", "l33=700mm"]);
     snapshot::check("wrong-set-unit", &sandbox, &["check", "lift.toml", "--set", "l31=700 deg"]);
+    snapshot::check("wrong-set-twice", &sandbox, &["run", "lift.toml", "--set", "l31=1 m", "--set", "l31=2 m"]);
+    snapshot::check("wrong-ending", &sandbox, &["run", "lift"]);
+    snapshot::check("wrong-folder", &sandbox, &["run", "."]);
     snapshot::check("wrong-option", &sandbox, &["run", "lift.toml", "--jsn"]);
     snapshot::check("wrong-nothing", &sandbox, &[]);
     assert!(!sandbox.exists("results"), "nothing is written for a wrong command line");
