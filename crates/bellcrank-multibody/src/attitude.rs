@@ -32,6 +32,12 @@ pub(crate) fn rpy_rates<T: Real>(rpy: &[T; 3], w: &[T; 3], wd: &[T; 3]) -> [(T, 
     std::array::from_fn(|i| (rate[i], accel[i]))
 }
 
+/// Into −π..π.
+pub(crate) fn wrap(angle: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    angle - turn * (angle / turn).round()
+}
+
 /// Rotation vector (rad, axes of the frame that `r` turns) of a rotation matrix given by rows.
 pub(crate) fn rotation_vector(r: &[[f64; 3]; 3]) -> [f64; 3] {
     let q = bellcrank_math::quaternion_from_matrix(r);

@@ -7,6 +7,7 @@
 
 mod attitude;
 mod blueprint;
+mod builder;
 mod constraint;
 mod dynamics;
 mod engine;

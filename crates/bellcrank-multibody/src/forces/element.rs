@@ -1,6 +1,7 @@
 //! A blueprint's forces, resolved against the tree.
 
-use crate::mechanism::{Carried, Source, frame_of};
+use crate::builder::frame_of;
+use crate::mechanism::{Carried, Source};
 use crate::{Axes, Blueprint, BuildError, Coordinate, Force, Place, Value};
 use bellcrank_math::{Frame, Space};
 

@@ -6,7 +6,7 @@
 
 use super::jacobian::{Rows, source_entries};
 use super::machine::Machine;
-use super::position::wrap;
+use crate::attitude::wrap;
 use crate::constraint::{Measure, RowKind};
 use crate::mechanism::{Mechanism, Source};
 use crate::topology::Motion;

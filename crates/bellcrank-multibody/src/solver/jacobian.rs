@@ -1,6 +1,6 @@
 //! The constraint Jacobian, sparse: for each closing link a small dense block over the path it spans.
 
-use super::position::wrap;
+use crate::attitude::wrap;
 use crate::constraint::{Gradient, Link};
 use crate::mechanism::{Mechanism, Source};
 use crate::topology::Motion;

@@ -2,7 +2,7 @@
 
 use super::machine::Machine;
 use super::system::{LinearSystem, Prescribed, SINGULAR};
-use crate::attitude::{normalize, rotation_vector};
+use crate::attitude::{normalize, rotation_vector, wrap};
 use crate::constraint::Measure;
 use crate::mechanism::Source;
 use crate::topology::Motion;
@@ -401,12 +401,6 @@ impl<S: Space<T = f64>> Machine<S> {
         self.rows.coupled.fill([0.0; 2]);
         self.note_unwrapped();
     }
-}
-
-/// Into −π..π.
-pub(crate) fn wrap(angle: f64) -> f64 {
-    let turn = std::f64::consts::TAU;
-    angle - turn * (angle / turn).round()
 }
 
 /// Roll, pitch, yaw among targets, given that entry `k` is component `i`.
