@@ -154,7 +154,7 @@ pub enum Value<T> {
 pub enum Axes {
     /// World axes: the direction stays.
     World,
-    /// The axes of the place (force) or body (torque) it acts on: the direction turns along.
+    /// The axes of the body it acts on: the direction turns along.
     Body,
 }
 

@@ -117,7 +117,7 @@ pub struct Energy {
 pub struct Checks {
     /// Largest loop-closure error, m (angles times the machine's size).
     pub closure: f64,
-    /// Power-balance residual relative to the largest power in it; `NaN` before the forces are solved.
+    /// Power-balance residual relative to the sum of forces times speeds in it; `NaN` before the forces are solved.
     pub balance: f64,
 }
 

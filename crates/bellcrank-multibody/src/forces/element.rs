@@ -100,7 +100,11 @@ impl<S: Space> Resolve<'_, S> {
     }
     fn element(&self, force: &Force<S::T>) -> Result<Element<S>, BuildError> {
         Ok(match force {
-            Force::Point { at, vector, axes } => Element::Point { at: self.end(at), vector: *vector, axes: *axes },
+            Force::Point { at, vector, axes } => {
+                // The place tells where; "body" axes are the body's, whatever way the place is turned.
+                let frame = Frame { rotation: self.bodies[at.body.0].frame.rotation, ..self.end(at).frame };
+                Element::Point { at: End { frame, ..self.end(at) }, vector: *vector, axes: *axes }
+            }
             Force::Torque { on, vector, axes } => {
                 let body = &self.bodies[on.0];
                 Element::Torque { on: End { node: body.node, frame: body.frame }, vector: *vector, axes: *axes }

@@ -11,17 +11,24 @@ use crate::workspace::NodeState;
 use crate::{Checks, kinematics};
 use bellcrank_math::{Components, Space};
 
-/// A sum and the largest of its terms.
+/// A sum of powers, and what they would be if nothing cancelled: forces times speeds.
 #[derive(Default)]
 struct Sum {
     total: f64,
-    largest: f64,
+    size: f64,
 }
 
 impl Sum {
-    fn add(&mut self, power: f64) {
+    fn add(&mut self, power: f64, size: f64) {
         self.total += power;
-        self.largest = self.largest.max(power.abs());
+        self.size += size;
+    }
+    fn add_number(&mut self, power: f64) {
+        self.add(power, power.abs());
+    }
+    /// A force on a velocity, or a moment on an angular velocity.
+    fn add_product<V: Components<f64>>(&mut self, force: V, velocity: V) {
+        self.add(force.dot(velocity), (force.dot(force) * velocity.dot(velocity)).sqrt());
     }
 }
 
@@ -62,7 +69,7 @@ impl<S: Space<T = f64>> Machine<S> {
         self.add_body_powers(x, &mut sum);
         self.add_effort_powers(v, x, &mut sum);
         self.add_drive_powers(v, x, &mut sum);
-        if sum.largest > 0.0 { sum.total.abs() / sum.largest } else { sum.total.abs() }
+        if sum.size > 0.0 { sum.total.abs() / sum.size } else { sum.total.abs() }
     }
 
     fn add_body_powers(&self, virtual_x: &[NodeState<S>], sum: &mut Sum) {
@@ -72,18 +79,20 @@ impl<S: Space<T = f64>> Machine<S> {
                 let (dv, a) = (dx.at(p).0, x.at(p).1);
                 let h = S::apply_inertia(&body.about_center, &x.R, x.w);
                 let n = S::apply_inertia(&body.about_center, &x.R, x.wd) + S::cross_angular(x.w, h);
-                sum.add(self.mech.gravity.dot(dv) * body.mass);
-                sum.add(-(a.dot(dv) * body.mass + n.dot(dx.w)));
+                sum.add_product(self.mech.gravity * body.mass, dv);
+                sum.add_product(a * -body.mass, dv);
+                sum.add_product(-n, dx.w);
             }
-            sum.add(x.ext_f.dot(dx.v) + x.ext_n.dot(dx.w));
+            sum.add_product(x.ext_f, dx.v);
+            sum.add_product(x.ext_n, dx.w);
         }
     }
 
     fn add_effort_powers(&self, v: &[f64], x: &[NodeState<S>], sum: &mut Sum) {
-        self.efforts.iter().zip(v).for_each(|(e, v)| sum.add(e * v));
+        self.efforts.iter().zip(v).for_each(|(e, v)| sum.add_number(e * v));
         for (element, e) in self.mech.elements.iter().zip(&self.friction) {
             if let Element::Friction(f) = element {
-                sum.add(e * read(&self.mech, x, &self.q, v, f.source).1);
+                sum.add_number(e * read(&self.mech, x, &self.q, v, f.source).1);
             }
         }
     }
@@ -92,7 +101,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let Some(prepared) = &self.prepared else { return };
         for (c, u) in prepared.actuation.effort.iter().zip(&self.drive) {
             let Some(source) = self.mech.source(*c) else { continue };
-            sum.add(u * read(&self.mech, x, &self.q, v, source).1);
+            sum.add_number(u * read(&self.mech, x, &self.q, v, source).1);
         }
     }
 }

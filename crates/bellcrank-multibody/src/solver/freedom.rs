@@ -21,12 +21,12 @@ impl<S: Space<T = f64>> Machine<S> {
         self.rows.evaluate(&self.mech, &self.q, &self.x);
         let mut a = vec![vec![0.0; self.mech.nv]; self.mech.rows()];
         self.rows.each(&self.mech, |r, v, value| a[r][v] += value);
-        // A row's own size (m or rad) does not matter to its independence.
+        // A row's own size (m or rad) does not matter to its independence, but a row that is nothing beside
+        // the machine is the rounding of terms that cancel, and no equation.
+        let nothing = 1e-10 * self.mech.size.min(1.0);
         for row in &mut a {
             let n = row.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if n > 0.0 {
-                row.iter_mut().for_each(|x| *x /= n);
-            }
+            row.iter_mut().for_each(|x| *x = if n > nothing { *x / n } else { 0.0 });
         }
         a
     }

@@ -370,13 +370,13 @@ impl<S: Space<T = f64>> Machine<S> {
         (if *top > 0.0 { last / top } else { 0.0 }, self.coordinates_by_motion(&motion))
     }
 
-    /// Tree coordinates of joints that take part in a motion (nv), most mobile first.
+    /// Coordinates of tree joints that take part in a motion (nv), most mobile first.
     pub(crate) fn coordinates_by_motion(&self, motion: &[f64]) -> Vec<Coordinate> {
         let mut found: Vec<(f64, Coordinate)> = Vec::new();
         for (j, sources) in self.mech.sources.iter().enumerate() {
             for (index, s) in sources.iter().enumerate() {
-                if let Source::Node(n) = s {
-                    found.push((motion[self.mech.nodes[*n].v].abs(), Coordinate { joint: crate::JointId(j), index }));
+                if let Some(size) = self.part_of(j, *s, motion) {
+                    found.push((size, Coordinate { joint: crate::JointId(j), index }));
                 }
             }
         }
@@ -384,6 +384,19 @@ impl<S: Space<T = f64>> Machine<S> {
         found.retain(|f| f.0 > 0.05 * top && f.0 > 0.0);
         found.sort_by(|a, b| b.0.total_cmp(&a.0));
         found.into_iter().map(|f| f.1).collect()
+    }
+
+    /// How much a coordinate of a tree joint takes part in a motion; the angles of a ball share its turning.
+    fn part_of(&self, j: usize, source: Source, motion: &[f64]) -> Option<f64> {
+        match source {
+            Source::Node(n) => Some(motion[self.mech.nodes[n].v].abs()),
+            Source::Measured { measure: Measure::Attitude(0), .. } => {
+                let of_joint = |n: &&crate::mechanism::Node<S>| n.joint == Some(crate::JointId(j));
+                let ball = self.mech.nodes.iter().filter(of_joint).find(|n| n.motion == Motion::Ball)?;
+                Some(motion[ball.v..ball.v + 3].iter().map(|x| x * x).sum::<f64>().sqrt())
+            }
+            Source::Measured { .. } => None,
+        }
     }
 
     /// Follows measured angles across ±180°.

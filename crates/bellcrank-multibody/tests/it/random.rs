@@ -526,3 +526,24 @@ fn compare(b: &Blueprint<f64>, flat: &dyn Engine, space: &mut dyn Engine, drives
     }
     assert!(space.checks().balance < 1e-9 && space.checks().closure < 1e-12, "{what}: {:?}", space.checks());
 }
+
+/// A vertical slider-crank in a frame turned about x: its out-of-plane equations are pure rounding, not rank.
+#[test]
+fn rounding_is_no_equation() {
+    for degrees in [0.0_f64, 30.0, 45.0, 60.0, 90.0, 120.0, 270.0] {
+        let turn = bellcrank_math::matrix_from_rpy(&[degrees.to_radians(), 0.0, 0.0]);
+        let on = |body: usize, p: Vec3| Place { body: BodyId(body), position: apply(&turn, p), rotation: turn };
+        let axis = Z;
+        let joints = vec![
+            started(joint(JointKind::Revolute { axis }, on(0, [0.0; 3]), on(1, [0.0; 3])), &[0.7]),
+            joint(JointKind::Revolute { axis }, on(1, [0.1, 0.0, 0.0]), on(2, [0.0; 3])),
+            joint(JointKind::Revolute { axis }, on(2, [0.3, 0.0, 0.0]), on(3, [0.0; 3])),
+            started(joint(JointKind::Prismatic { axis: X }, on(0, [0.0; 3]), on(3, [0.0; 3])), &[0.35]),
+        ];
+        let bodies = (0..3).map(|_| body(1.0, [0.05, 0.0], 0.01)).collect();
+        let mut e = engine_for(false, &blueprint([0.0, 0.0, -9.81], bodies, joints, Vec::new())).expect("builds");
+        e.assemble(&[]).expect("assembles");
+        let freedom = e.freedom();
+        assert_eq!((freedom.degrees, freedom.equations - freedom.rank), (1, 3), "turned by {degrees}");
+    }
+}
