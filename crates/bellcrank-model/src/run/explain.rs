@@ -4,7 +4,7 @@ use bellcrank_multibody::{Coordinate, JointId, MechanismError, System};
 use bellcrank_results::{Failure, Unit};
 
 use super::End;
-use crate::design::Design;
+use crate::design::{Design, JointShape};
 use crate::measure::{Measure, Motion};
 
 /// Names of coordinates, and their places in display units.
@@ -28,6 +28,11 @@ impl<'d> Namer<'d> {
 
     fn motion(&self, c: Coordinate) -> Motion {
         self.motions(c).get(c.index).copied().unwrap_or(Motion::Slide)
+    }
+
+    /// Belongs to a joint that turns any way.
+    fn is_ball(&self, c: Coordinate) -> bool {
+        self.design.joints.get(c.joint.0).is_some_and(|joint| matches!(joint.shape, JointShape::Spherical))
     }
 
     /// `slide`, or `J.1` for one of several.
@@ -178,7 +183,11 @@ fn under_driven(namer: &Namer<'_>, freedom: usize, driven: usize, free: &[Coordi
         return (message, vec!["connect it to the machine by a joint, or take it out".to_owned()]);
     }
     let message = format!("{}, {driven} driven: {} can still move", degrees(freedom), namer.list(free));
-    (message, vec!["add a drive, a motion or `hold`".to_owned()])
+    let mut hints = vec!["add a drive, a motion or `hold`".to_owned()];
+    if free.iter().any(|c| namer.is_ball(*c)) {
+        hints.push("a rod between two spherical joints can spin: make one of them `universal`".to_owned());
+    }
+    (message, hints)
 }
 
 fn over_driven(namer: &Namer<'_>, freedom: usize, driven: usize, conflicting: &[Coordinate]) -> (String, Vec<String>) {

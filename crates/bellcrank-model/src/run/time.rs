@@ -36,6 +36,7 @@ pub(super) fn run(session: &mut Session<'_>, plan: &Plan<'_>, progress: &mut dyn
     session.expect_rows(times.rows, true)?;
     session.result.axis = vec!["time".to_owned()];
     warn_of_short_tables(session, &motions, times.duration);
+    warn_of_moved_starts(session, &motions);
     let held = session.held(plan.holds);
     let rest = plan.holds.iter().map(|hold| {
         let place = held.iter().find(|(coordinate, _)| *coordinate == hold.coordinate);
@@ -129,6 +130,22 @@ fn rows(
     }
     progress.at(1.0, "done");
     Ok(())
+}
+
+/// Segments and velocities count from the start: where the start of the file does not close, they begin elsewhere.
+fn warn_of_moved_starts(session: &mut Session<'_>, motions: &[&Prescribed]) {
+    for motion in motions.iter().filter(|m| matches!(m.law, Law::Segments(_) | Law::Velocity(_))) {
+        for &c in &motion.coordinates {
+            let (Some(start), place) = (session.start(c), session.place(c)) else { continue };
+            if (place - start).abs() > 1e-6 * start.abs().max(place.abs()).max(1e-3) {
+                let namer = session.namer();
+                let (name, place, start) = (&motion.name, namer.place(c, place), namer.place(c, start));
+                let message =
+                    format!("motion `{name}` begins at {place}: its start of {start} does not fit the other joints");
+                session.result.warnings.push(message);
+            }
+        }
+    }
 }
 
 fn warn_of_short_tables(session: &mut Session<'_>, motions: &[&Prescribed], duration: f64) {
