@@ -28,9 +28,9 @@ const MOST_HODOGRAPHS: usize = 24;
 
 /// The figures of a study: motion of the joints, drive forces, reactions, force hodographs.
 ///
-/// Empty for a study without rows.
+/// Empty for a study without rows, and for a single position: a picture of one dot shows nothing.
 pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
-    if study.table.rows() == 0 {
+    if study.table.rows() < 2 {
         return Vec::new();
     }
     let mut figures = charts(study);

@@ -72,11 +72,27 @@ pub(crate) fn strokes(study: &StudyResult) -> Vec<Finding<'_>> {
     names.iter().filter_map(|name| finding(study, name)).collect()
 }
 
+/// One position only, as the result of a study of statics: then there are values, not extremes.
+pub(crate) fn is_single(study: &StudyResult) -> bool {
+    study.table.rows() == 1
+}
+
+/// What a single position consists of: efforts of drives and holds, and where every joint is.
+pub(crate) fn values(study: &StudyResult) -> Vec<Finding<'_>> {
+    let efforts = drives(study).into_iter();
+    efforts.chain(family(study, "joint", "position")).map(|(_, finding)| finding).collect()
+}
+
 /// Force magnitudes of all joints, strongest first.
 pub(crate) fn strongest(study: &StudyResult) -> Vec<(&str, Finding<'_>)> {
     let mut found = family(study, "joint", "reaction.force");
     found.sort_by(|a, b| b.1.peak().total_cmp(&a.1.peak()));
     found
+}
+
+/// The largest reaction force of the study, N; 0 without reactions.
+pub(crate) fn strongest_peak(study: &StudyResult) -> f64 {
+    strongest(study).first().map_or(0.0, |(_, finding)| finding.peak())
 }
 
 /// A trust signal against its limit.
@@ -135,6 +151,9 @@ pub(crate) fn whereabouts(study: &StudyResult, extreme: Extreme) -> String {
         let text = number::with_unit(&text, &unit.symbol);
         if axes.len() == 1 { text } else { format!("{} = {text}", axis.column.name) }
     };
+    if axes.is_empty() && is_single(study) {
+        return String::new();
+    }
     if axes.is_empty() {
         return format!("row {}", extreme.row);
     }

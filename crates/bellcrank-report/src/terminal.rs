@@ -108,10 +108,21 @@ impl Page<'_> {
 }
 
 fn drive_table(study: &StudyResult) -> Grid {
+    if findings::is_single(study) {
+        return value_table(study);
+    }
     let mut grid = Grid::new(["drive and stroke", "min", "at", "max", "at", "range"]);
     let drives = findings::drives(study).into_iter().map(|(_, finding)| finding);
     for finding in drives.chain(findings::strokes(study)) {
         grid.push(extremes(study, &finding));
+    }
+    grid
+}
+
+fn value_table(study: &StudyResult) -> Grid {
+    let mut grid = Grid::new(["drive or position", "value"]);
+    for finding in findings::values(study) {
+        grid.push(vec![Cell::left(&finding.column.name), Cell::right(&finding.shown(finding.reductions.first))]);
     }
     grid
 }

@@ -46,7 +46,8 @@ impl Check {
             ("loops", self.loops_closed()),
         ];
         if !self.redundant.is_empty() {
-            facts.push(("redundant equations", format!("{}: {}", self.redundancies(), self.redundant.join(", "))));
+            facts
+                .push(("redundant equations", format!("{} among: {}", self.redundancies(), self.redundant.join(", "))));
         }
         if !self.mobile.is_empty() {
             facts.push(("can move", self.mobile.join(", ")));

@@ -31,7 +31,8 @@ impl Card {
     fn peak(study: &StudyResult, label: String, finding: &Finding<'_>) -> Self {
         let peak = finding.reductions.peak();
         let value = finding.shown(peak.value);
-        Self { label, value, place: format!("at {}", axis_and_place(study, peak)) }
+        let place = axis_and_place(study, peak);
+        Self { label, value, place: if place.is_empty() { place } else { format!("at {place}") } }
     }
 
     fn html(&self) -> String {
@@ -50,7 +51,8 @@ fn cards(study: &StudyResult) -> Vec<Card> {
         .into_iter()
         .max_by(|a, b| a.1.peak().total_cmp(&b.1.peak()))
         .map(|(joint, found)| Card::peak(study, format!("Peak drive effort, {joint}"), &found));
-    let stroke = findings::strokes(study).into_iter().max_by(|a, b| strokes_first(study, a, b));
+    let strokes = if findings::is_single(study) { Vec::new() } else { findings::strokes(study) };
+    let stroke = strokes.into_iter().max_by(|a, b| strokes_first(study, a, b));
     let strongest = findings::strongest(study)
         .into_iter()
         .next()
@@ -86,6 +88,9 @@ fn axis_and_place(study: &StudyResult, extreme: Extreme) -> String {
 }
 
 fn extremes_table(study: &StudyResult) -> String {
+    if findings::is_single(study) {
+        return value_table(study);
+    }
     let drives = findings::drives(study).into_iter().map(|(_, finding)| finding);
     let rows: String = drives.chain(findings::strokes(study)).map(|finding| extremes_row(study, &finding)).collect();
     if rows.is_empty() {
@@ -97,6 +102,24 @@ fn extremes_table(study: &StudyResult) -> String {
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\" class=\"n\">Range</th><th scope=\"col\" class=\"n\">RMS</th>\
          <th scope=\"col\">Unit</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
+    )
+}
+
+fn value_table(study: &StudyResult) -> String {
+    let row = |finding: Finding<'_>| {
+        let value = Escaped(&number::typeset(&finding.shown(finding.reductions.first))).to_string();
+        format!(
+            "<tr><th scope=\"row\"><code>{}</code></th><td class=\"n\">{value}</td></tr>\n",
+            Escaped(&finding.column.name)
+        )
+    };
+    let rows: String = findings::values(study).into_iter().map(row).collect();
+    if rows.is_empty() {
+        return rows;
+    }
+    format!(
+        "<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">Drive or position</th>\
+         <th scope=\"col\" class=\"n\">Value</th></tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
     )
 }
 

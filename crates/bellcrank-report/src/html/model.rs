@@ -2,7 +2,7 @@
 
 use bellcrank_results::{ParameterRow, RunResult, Unit};
 
-use super::Escaped;
+use super::{Escaped, sentence};
 use crate::number;
 
 pub(crate) fn section(run: &RunResult) -> String {
@@ -18,7 +18,7 @@ fn facts(facts: &[(String, String)]) -> String {
         return String::new();
     }
     let row = |(label, text): &(String, String)| {
-        format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", Escaped(label), Escaped(text))
+        format!("<tr><th scope=\"row\">{}</th><td>{}</td></tr>\n", Escaped(label), sentence(text))
     };
     let rows: String = facts.iter().map(row).collect();
     format!("<div class=\"scroll\"><h3>Mechanism</h3>\n<table class=\"facts\">\n{rows}</table></div>\n")

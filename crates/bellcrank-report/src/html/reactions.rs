@@ -8,9 +8,13 @@ use crate::{FigureFile, number};
 
 const COMPONENTS: [&str; 8] = ["fx", "fy", "fz", "force", "mx", "my", "mz", "moment"];
 
+/// A component this much smaller than the largest force of the study (moments over a metre) is a rounding error.
+const ROUNDING: f64 = 1e-12;
+
 /// Each component of each joint: extremes, where they occur, and whether they are unique.
 pub(crate) fn table(study: &StudyResult) -> String {
-    let bodies: String = joints(study).iter().map(|joint| joint_rows(study, joint)).collect();
+    let rounding = ROUNDING * findings::strongest_peak(study);
+    let bodies: String = joints(study).iter().map(|joint| joint_rows(study, joint, rounding)).collect();
     if bodies.is_empty() {
         return String::new();
     }
@@ -19,7 +23,7 @@ pub(crate) fn table(study: &StudyResult) -> String {
         "<h3>Joint reactions</h3>\n<p class=\"hint\">What the first body of a joint puts on the \
          second, at the joint's point, along the world axes; <em>force</em> and <em>moment</em> \
          are magnitudes. Places are values of <code>{}</code>. Components that are zero \
-         throughout are left out.{}{}</p>\n<div class=\"scroll\"><table class=\"reactions\">\n\
+         throughout, but for rounding, are left out.{}{}</p>\n<div class=\"scroll\"><table class=\"reactions\">\n\
          <thead><tr><th scope=\"col\">Joint</th><th scope=\"col\"></th>\
          <th scope=\"col\" class=\"n\">Min</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\" class=\"n\">at</th>\
@@ -62,11 +66,11 @@ fn omitted(study: &StudyResult) -> String {
     }
 }
 
-fn joint_rows(study: &StudyResult, joint: &str) -> String {
+fn joint_rows(study: &StudyResult, joint: &str, rounding: f64) -> String {
     let reaction = study.reactions.iter().find(|reaction| reaction.joint == joint);
     let component = |name: &&'static str| {
         let finding = findings::finding(study, &format!("joint.{joint}.reaction.{name}"))?;
-        (finding.peak() > 0.0).then_some((*name, finding))
+        (finding.peak() > rounding).then_some((*name, finding))
     };
     let found: Vec<(&str, Finding<'_>)> = COMPONENTS.iter().filter_map(component).collect();
     let mut head = joint_head(joint, reaction, found.len());

@@ -94,15 +94,20 @@ fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
     if study.table.rows() == 0 {
         return "<p class=\"hint\">There are no rows to draw.</p>\n".to_owned();
     }
+    let single = findings::is_single(study);
     let moves = study.animation.as_ref().is_some_and(|animation| !animation.frames.is_empty());
     let stage = if moves && !run.drawing.bodies.is_empty() {
         format!(
-            "<h3 class=\"needs-script\">Motion</h3>\n\
-             <div class=\"stage needs-script\" data-stage=\"{index}\"></div>\n"
+            "<h3 class=\"needs-script\">{}</h3>\n\
+             <div class=\"stage needs-script\" data-stage=\"{index}\"></div>\n",
+            if single { "Position" } else { "Motion" }
         )
     } else {
         String::new()
     };
+    if single {
+        return stage;
+    }
     let thinned = thinned(study);
     format!(
         "{stage}<h3 class=\"needs-script no-print\">Curves</h3>\n\
@@ -170,11 +175,11 @@ fn check_row(study: &StudyResult, check: &Check<'_>) -> String {
     let place = findings::whereabouts(study, check.finding.reductions.peak());
     format!(
         "<tr><th scope=\"row\">{}<span class=\"kind\">{}</span></th><td class=\"n\">{}</td>\
-         <td class=\"at\">at {}</td><td>limit {}</td><td class=\"{class}\">{word}</td></tr>\n",
+         <td class=\"at\">{}</td><td>limit {}</td><td class=\"{class}\">{word}</td></tr>\n",
         check.title,
         check.meaning,
         show(check.finding.peak()),
-        Escaped(&number::typeset_places(&place)),
+        Escaped(&number::typeset_places(&if place.is_empty() { place } else { format!("at {place}") })),
         show(check.limit)
     )
 }

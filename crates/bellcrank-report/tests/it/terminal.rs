@@ -70,3 +70,23 @@ fn without_rows_there_is_no_table() {
     let text = terminal_summary(&run, &PLAIN);
     assert_eq!(text, "stewart: Stewart platform\n\nwave  inverse-dynamics, 0 rows, 4 ms\n");
 }
+
+#[test]
+fn a_single_position_is_told_in_values() {
+    let mut run = lift::run();
+    run.studies.remove(0);
+    let study = &mut run.studies[0];
+    study.axis.clear();
+    study.table.columns.iter_mut().for_each(|column| column.values.truncate(1));
+    let summary = terminal_summary(&run, &PLAIN);
+    assert!(
+        summary.contains("  drive or position            value\n  drive.slide.force        4844.52 N\n"),
+        "{summary}"
+    );
+    assert!(!summary.contains("row 0"), "{summary}");
+    let page = bellcrank_report::render_html(&run);
+    assert!(page.contains("<th scope=\"col\">Drive or position</th>"));
+    for absent in ["data-curves=\"0\"", "<h3>Force hodographs", "at </td>"] {
+        assert!(!page.contains(absent), "{absent}");
+    }
+}

@@ -33,7 +33,8 @@ export class Stage {
     this.shown = { applied: true, reactions: false, names: false, trail: this.longestTrail() };
     this.canvas.setAttribute("aria-label", "Drawing of the mechanism. Space plays, arrow keys step, plus and minus zoom.");
     const frame = make("div", { class: "frame" }, this.canvas, this.tip);
-    mount.append(frame, this.player.element, this.options());
+    // A single position has nothing to play.
+    mount.append(frame, ...(study.rows > 1 ? [this.player.element] : []), this.options());
     cursor.follow(() => this.redraw());
     new ResizeObserver(() => this.resize()).observe(frame);
     this.listen();

@@ -29,7 +29,7 @@ fn compare(name: &str, seen: &str) {
 }
 
 /// Times and rounding errors, which differ from run to run and from machine to machine.
-fn redacted(output: &str) -> String {
+pub(crate) fn redacted(output: &str) -> String {
     output.split_inclusive('\n').map(redacted_line).collect()
 }
 
