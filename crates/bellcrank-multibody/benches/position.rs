@@ -1,10 +1,10 @@
 //! One position of the lift, and chains of growing length: position, rates, drive force, every reaction.
-#![expect(missing_docs, reason = "criterion's macros make undocumented items")]
 #![expect(unreachable_pub, reason = "modules shared with the tests")]
 
 #[path = "../tests/it/build.rs"]
 mod build;
 #[path = "../tests/it/machines.rs"]
+#[expect(dead_code, reason = "the tests use more of it")]
 mod machines;
 
 use bellcrank_multibody::{Actuation, Engine, engine_for};

@@ -72,6 +72,13 @@ pub(crate) fn strokes(study: &StudyResult) -> Vec<Finding<'_>> {
     names.iter().filter_map(|name| finding(study, name)).collect()
 }
 
+/// Why the study stopped; the page and the summary name the study themselves.
+pub(crate) fn why_stopped(study: &StudyResult) -> Option<&str> {
+    let message = study.failure.as_ref()?.message.as_str();
+    let rest = message.strip_prefix(&format!("study `{}`", study.name));
+    Some(rest.and_then(|rest| rest.strip_prefix(", ").or(rest.strip_prefix(": "))).unwrap_or(message))
+}
+
 /// One position only, as the result of a study of statics: then there are values, not extremes.
 pub(crate) fn is_single(study: &StudyResult) -> bool {
     study.table.rows() == 1

@@ -59,7 +59,7 @@ impl Page<'_> {
     fn study(&self, study: &StudyResult) -> String {
         let mut text = self.heading(study);
         if let Some(failure) = &study.failure {
-            text.push_str(&self.note("stopped", Ink::Red, &failure.message));
+            text.push_str(&self.note("stopped", Ink::Red, findings::why_stopped(study).unwrap_or(&failure.message)));
             for hint in &failure.hints {
                 text.push_str(&self.note("  try", Ink::Plain, hint));
             }

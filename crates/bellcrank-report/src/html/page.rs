@@ -106,12 +106,12 @@ fn contents(run: &RunResult, ids: &[String]) -> String {
 /// Failures of all studies and warnings of the model, before anything else.
 fn notes(run: &RunResult, ids: &[String]) -> String {
     let failure = |(study, id): (&StudyResult, &String)| {
-        let failure = study.failure.as_ref()?;
+        let why = findings::why_stopped(study)?;
         Some(format!(
             "<div class=\"note bad\" role=\"alert\"><b>Study <a href=\"#study-{id}\">{}</a> \
              stopped early.</b> {}</div>\n",
             Escaped(&study.name),
-            sentence(&failure.message)
+            sentence(why)
         ))
     };
     let failures: String = run.studies.iter().zip(ids).filter_map(failure).collect();

@@ -18,18 +18,20 @@ pub(crate) fn table(study: &StudyResult) -> String {
     if bodies.is_empty() {
         return String::new();
     }
-    let names = study.axis.join(", ");
+    let places = match study.axis.join(", ") {
+        names if names.is_empty() => String::new(),
+        names => format!(" Places are values of <code>{}</code>.", Escaped(&names)),
+    };
     format!(
         "<h3>Joint reactions</h3>\n<p class=\"hint\">What the first body of a joint puts on the \
          second, at the joint's point, along the world axes; <em>force</em> and <em>moment</em> \
-         are magnitudes. Places are values of <code>{}</code>. Components that are zero \
+         are magnitudes.{places} Components that are zero \
          throughout, but for rounding, are left out.{}{}</p>\n<div class=\"scroll\"><table class=\"reactions\">\n\
          <thead><tr><th scope=\"col\">Joint</th><th scope=\"col\"></th>\
          <th scope=\"col\" class=\"n\">Min</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\" class=\"n\">at</th>\
          <th scope=\"col\">Unit</th><th scope=\"col\">Determined</th></tr></thead>\n\
          {bodies}</table></div>\n",
-        Escaped(&names),
         uniqueness_hint(study),
         omitted(study)
     )

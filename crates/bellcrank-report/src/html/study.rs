@@ -85,7 +85,7 @@ fn failure(study: &StudyResult) -> String {
     format!(
         "<div class=\"note bad\" role=\"alert\"><b>This study stopped before its end:</b> {}\n{hints}\
          <p>What follows shows the {kept} before that.</p></div>\n",
-        sentence(&failure.message)
+        sentence(findings::why_stopped(study).unwrap_or(&failure.message))
     )
 }
 
