@@ -66,7 +66,9 @@ export class Scene {
   }
 
   fit(size: V2): void {
-    if (this.reach.length > 0) this.camera.fit(this.reach, size, Math.min(56, size[0] * 0.1));
+    // Arrows of forces stand out of what the bodies reach.
+    const margin = this.drawing.arrows.length > 0 ? 84 : 56;
+    if (this.reach.length > 0) this.camera.fit(this.reach, size, Math.min(margin, size[0] * 0.1));
   }
 
   /** Draws a frame and gives the places that have a name. */
