@@ -5,6 +5,7 @@ mod files;
 mod format;
 mod lift;
 mod random;
+mod residuals;
 mod studies;
 mod subsystems;
 mod suite;

@@ -1,0 +1,36 @@
+//! Every study of every shipped machine closes its loops and balances its powers.
+
+use std::path::PathBuf;
+
+use bellcrank_model::Silent;
+
+use crate::support::{model_of, root};
+
+/// Closure in m, power balance relative.
+const LIMITS: [(&str, f64); 2] = [("check.closure", 1e-12), ("check.balance", 1e-9)];
+
+fn machines() -> Vec<PathBuf> {
+    let folders = std::fs::read_dir(root().join("models")).expect("the folder of machines");
+    let files = folders.flatten().filter_map(|folder| std::fs::read_dir(folder.path()).ok());
+    let mut machines: Vec<PathBuf> = files.flatten().flatten().map(|file| file.path()).collect();
+    machines.retain(|path| path.extension().is_some_and(|e| e == "toml") && !path.ends_with("expected.toml"));
+    machines
+}
+
+#[test]
+fn every_shipped_machine_closes_and_balances() {
+    let machines = machines();
+    assert!(machines.len() >= 12, "{machines:?}");
+    for path in machines {
+        let run = model_of(&path).run_all(&[], &mut Silent).expect("runs");
+        assert!(!run.studies.is_empty(), "{}", path.display());
+        for study in &run.studies {
+            let what = format!("{}, study {}", path.display(), study.name);
+            assert!(study.failure.is_none(), "{what}");
+            for (signal, limit) in LIMITS {
+                let column = study.table.column(signal).expect("a trust signal");
+                assert!(column.values.iter().all(|x| x.abs() < limit), "{what}: {signal}");
+            }
+        }
+    }
+}
