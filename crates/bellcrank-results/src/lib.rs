@@ -5,6 +5,7 @@
 
 mod csv;
 mod drawing;
+mod findings;
 mod reductions;
 mod run;
 mod study;
@@ -14,6 +15,7 @@ mod unit;
 
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
+pub use findings::*;
 pub use reductions::{Extreme, Reductions};
 pub use run::{ParameterRow, Provenance, RunResult};
 pub use study::{Failure, Reaction, StudyResult};

@@ -41,6 +41,8 @@ pub struct StudyResult {
     pub animation: Option<Animation>,
     /// Single numbers beside the rows: name, SI value, unit (e.g. eigenvalues of an equilibrium).
     pub scalars: Vec<(String, f64, crate::Unit)>,
+    /// What a study over another study found.
+    pub findings: Option<crate::Findings>,
     /// Sentences for the reader.
     pub warnings: Vec<String>,
     /// Solver effort by name (`newton_iterations`, `factorizations`, ...).

@@ -1,0 +1,30 @@
+//! What studies over other studies find: plain data, one file a kind.
+
+mod designs;
+mod optimization;
+mod sensitivity;
+mod sizing;
+mod tolerance;
+
+pub use designs::{ColumnStatistics, DesignFailure, Designs, ParetoFront};
+pub use optimization::{
+    Compared, ConstraintRow, FirstOrder, IterationRow, Objective, Optimization, StartRow, VariableRow,
+};
+pub use sensitivity::{ActivePlace, Curve, ParameterSensitivity, Sensitivity};
+pub use sizing::{Candidate, Check, Property, Sizing};
+pub use tolerance::{HistogramBin, MonteCarlo, SobolIndices, Tolerance, ToleranceInput, Yield};
+
+/// What a study over another study found, beside its rows.
+#[derive(Clone, Debug)]
+pub enum Findings {
+    /// Derivatives of a response.
+    Sensitivity(Sensitivity),
+    /// A better design.
+    Optimization(Optimization),
+    /// Responses over many designs.
+    Designs(Designs),
+    /// Scatter of a response.
+    Tolerance(Tolerance),
+    /// Standard drives that carry the loads.
+    Sizing(Sizing),
+}
