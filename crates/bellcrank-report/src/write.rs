@@ -3,7 +3,7 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-use bellcrank_results::{RunResult, StudyResult, study_summary, write_csv};
+use bellcrank_results::{RunResult, StudyResult, finding_tables, study_summary, write_csv, write_text_csv};
 
 use crate::html::page;
 use crate::{FigureFile, ReportError, figures, study_folders};
@@ -25,8 +25,11 @@ pub fn write_report(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportE
     Ok(written)
 }
 
-/// Writes everything a run leaves: for each study `series.csv`, `summary.json` and plots, and one
-/// `report.html`.
+/// Writes everything a run leaves: for each study `series.csv`, `summary.json`, tables of what it
+/// found and plots, and one `report.html`.
+///
+/// A study over another study has no `series.csv` where it has no rows of its own; the rows of a
+/// sweep (`designs.csv`) are written by whoever computes them.
 ///
 /// Gives the paths that were written, the report first.
 ///
@@ -37,7 +40,10 @@ pub fn write_run(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportErro
     for (study, folder) in run.studies.iter().zip(study_folders(run)) {
         let folder = dir.join(folder);
         make_folder(&folder)?;
-        written.push(write_series(study, folder.join("series.csv"))?);
+        if study.findings.is_none() || study.table.rows() > 0 {
+            written.push(write_series(study, folder.join("series.csv"))?);
+        }
+        written.extend(write_tables(study, &folder)?);
         let summary = format!("{:#}\n", study_summary(study));
         written.push(write_file(folder.join("summary.json"), summary.as_bytes())?);
     }
@@ -58,6 +64,19 @@ fn write_series(study: &StudyResult, path: PathBuf) -> Result<PathBuf, ReportErr
         Ok(()) => Ok(path),
         Err(source) => Err(ReportError::File { path, source }),
     }
+}
+
+/// One file a table of the findings: `sensitivity.csv`, `iterations.csv`, `candidates.csv`, ...
+fn write_tables(study: &StudyResult, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let tables = study.findings.iter().flat_map(finding_tables);
+    let write = |(stem, table)| {
+        let path = folder.join(format!("{stem}.csv"));
+        match File::create(&path).and_then(|file| write_text_csv(&table, file)) {
+            Ok(()) => Ok(path),
+            Err(source) => Err(ReportError::File { path, source }),
+        }
+    };
+    tables.map(write).collect()
 }
 
 fn make_folder(path: &Path) -> Result<(), ReportError> {

@@ -42,7 +42,7 @@ fn header(table: &Table) -> String {
 }
 
 /// RFC 4180: a field with a comma, quote or line break stands in quotes, quotes doubled.
-fn quoted(field: String) -> String {
+pub(crate) fn quoted(field: String) -> String {
     if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field }
 }
 
@@ -59,7 +59,7 @@ fn push_row(text: &mut Vec<u8>, columns: &[Column], row: usize) {
     text.push(b'\n');
 }
 
-fn push_number(text: &mut Vec<u8>, value: f64) {
+pub(crate) fn push_number(text: &mut Vec<u8>, value: f64) {
     if !value.is_finite() {
         return;
     }

@@ -3,8 +3,10 @@
 //! Everything in here is plain data in SI units; a [`Unit`] says how a number is shown.
 //! No mechanics: what is stored was computed elsewhere.
 
+mod cells;
 mod csv;
 mod drawing;
+mod finding_tables;
 mod findings;
 mod reductions;
 mod run;
@@ -13,8 +15,10 @@ mod summary;
 mod table;
 mod unit;
 
+pub use cells::{Field, TextTable, write_text_csv};
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
+pub use finding_tables::finding_tables;
 pub use findings::*;
 pub use reductions::{Extreme, Reductions};
 pub use run::{ParameterRow, Provenance, RunResult};

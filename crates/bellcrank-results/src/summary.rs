@@ -1,30 +1,64 @@
 //! The JSON summary of a study and of a run: the contract of `summary.json` and `--json`.
 
+mod findings;
+mod values;
+
 use serde_json::{Map, Value, json};
 
-use crate::{Column, Extreme, Failure, ParameterRow, Provenance, Reaction, Reductions, RunResult, StudyResult, Unit};
+use crate::{
+    Column, Extreme, Failure, Findings, ParameterRow, Provenance, Reaction, Reductions, RunResult, StudyResult, Unit,
+};
+pub(crate) use values::{change, rounded};
+use values::{maybe, named, quantity, shown, whole};
 
 /// The summary of one study, as `summary.json` holds it: numbers in display units, each unit named.
 ///
-/// Later kinds of study add keys of their own; the ones written here keep their meaning.
+/// A study over another study adds the keys of its findings; `axis`, `signals`, `scalars` and
+/// `reactions` are there where it has rows of its own.
 pub fn study_summary(study: &StudyResult) -> Value {
-    let mut object = Map::new();
-    object.insert("kind".to_owned(), json!(study.kind));
-    object.insert("rows".to_owned(), json!(study.table.rows()));
-    object.insert("seconds".to_owned(), json!(study.seconds));
-    object.insert("warnings".to_owned(), json!(study.warnings));
-    object.insert("effort".to_owned(), effort(&study.effort));
-    if !study.changed.is_empty() {
-        object.insert("set".to_owned(), parameters(&study.changed));
+    let mut object = common(study);
+    if let Some(findings) = &study.findings {
+        object.extend(findings::keys(findings));
     }
-    object.insert("axis".to_owned(), study.axis.iter().map(|name| axis(study, name)).collect());
-    object.insert("signals".to_owned(), signals(study));
-    object.insert("scalars".to_owned(), scalars(&study.scalars));
-    object.insert("reactions".to_owned(), reactions(&study.reactions));
+    if study.findings.is_none() || study.table.rows() > 0 {
+        object.extend(series(study));
+    }
     if let Some(failure) = &study.failure {
         object.insert("failure".to_owned(), failed(failure));
     }
     Value::Object(object)
+}
+
+fn common(study: &StudyResult) -> Map<String, Value> {
+    let mut object = values::object([
+        ("kind", json!(study.kind)),
+        ("rows", json!(rows(study))),
+        ("seconds", json!(study.seconds)),
+        ("warnings", json!(study.warnings)),
+        ("effort", effort(&study.effort)),
+    ]);
+    if !study.changed.is_empty() {
+        object.insert("set".to_owned(), parameters(&study.changed));
+    }
+    object
+}
+
+/// Rows of the study's files: the designs of a sweep, the positions or times of any other.
+fn rows(study: &StudyResult) -> u64 {
+    match &study.findings {
+        Some(Findings::Designs(found)) => found.done,
+        _ => study.table.rows() as u64,
+    }
+}
+
+/// What the rows of the study come to.
+fn series(study: &StudyResult) -> Map<String, Value> {
+    values::object([
+        ("axis", study.axis.iter().map(|name| axis(study, name)).collect()),
+        ("signals", signals(study)),
+        ("scalars", scalars(&study.scalars)),
+        ("reactions", reactions(&study.reactions)),
+    ])
 }
 
 /// The summary of a whole run: what `--json` prints.
@@ -52,13 +86,12 @@ fn parameters(rows: &[ParameterRow]) -> Value {
 }
 
 fn parameter(row: &ParameterRow) -> (String, Value) {
-    let bound = |si: Option<f64>| si.map_or(Value::Null, |si| shown(si, &row.unit));
     let value = json!({
         "value": shown(row.value, &row.unit),
         "unit": row.unit.symbol,
         "written": row.written,
-        "min": bound(row.bounds.0),
-        "max": bound(row.bounds.1),
+        "min": maybe(row.bounds.0, &row.unit),
+        "max": maybe(row.bounds.1, &row.unit),
         "note": row.note,
     });
     (row.name.clone(), value)
@@ -106,9 +139,7 @@ fn extreme(found: Extreme, unit: &Unit, axes: &[&Column]) -> Value {
 }
 
 fn scalars(of: &[(String, f64, Unit)]) -> Value {
-    let scalar = |(name, si, unit): &(String, f64, Unit)| {
-        (name.clone(), json!({ "value": shown(*si, unit), "unit": unit.symbol }))
-    };
+    let scalar = |(name, si, unit): &(String, f64, Unit)| (name.clone(), quantity(*si, unit));
     Value::Object(of.iter().map(scalar).collect())
 }
 
@@ -126,29 +157,6 @@ fn effort(of: &[(String, f64)]) -> Value {
 
 fn failed(failure: &Failure) -> Value {
     json!({ "message": failure.message, "hints": failure.hints })
-}
-
-fn named<T>(pairs: &[(String, T)], value: impl Fn(&T) -> Value) -> Value {
-    Value::Object(pairs.iter().map(|(name, of)| (name.clone(), value(of))).collect())
-}
-
-/// A count without a decimal point, any other number as it is.
-fn whole(value: f64) -> Value {
-    const EXACT: f64 = 9_007_199_254_740_992.0;
-    if value.fract() == 0.0 && value.abs() < EXACT { json!(value as i64) } else { json!(value) }
-}
-
-/// An SI value in `unit`; `null` where it is not finite.
-///
-/// Converted numbers are rounded to 15 digits: that is all a conversion leaves, and it makes
-/// −30 degrees read `-30.0`, not `-29.999999999999996`.
-fn shown(si: f64, unit: &Unit) -> Value {
-    let value = unit.show(si);
-    if unit.factor == 1.0 || !value.is_finite() {
-        return json!(value);
-    }
-    let rounded = format!("{value:.14e}");
-    json!(rounded.parse().unwrap_or(value))
 }
 
 #[cfg(test)]

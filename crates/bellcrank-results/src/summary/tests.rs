@@ -10,7 +10,6 @@ fn study() -> StudyResult {
     StudyResult {
         name: "lift".to_owned(),
         kind: "inverse-dynamics".to_owned(),
-        changed: Vec::new(),
         axis: vec!["joint.B.position".to_owned()],
         table: Table {
             columns: vec![
@@ -24,12 +23,11 @@ fn study() -> StudyResult {
             kind: "revolute".to_owned(),
             unique: vec![("fx".to_owned(), true), ("fy".to_owned(), false)],
         }],
-        animation: None,
         scalars: vec![("stiffness".to_owned(), 1200.0, Unit::new("kN/m", 1000.0))],
         warnings: vec!["look out".to_owned()],
         effort: vec![("newton_iterations".to_owned(), 12.0)],
         seconds: 0.25,
-        failure: None,
+        ..StudyResult::default()
     }
 }
 

@@ -1,0 +1,220 @@
+//! Findings as small tables of numbers and words: one file a table, for people with spreadsheets.
+
+use crate::summary::{change, rounded};
+use crate::{
+    Candidate, Check, Field, Findings, Optimization, Sensitivity, Sizing, TextTable, Tolerance, Unit, heading,
+};
+
+/// The tables of a finding, each with the stem of its file: `sensitivity`, `curves`, `iterations`, ...
+///
+/// Designs have none: their rows were written while they were computed.
+pub fn finding_tables(findings: &Findings) -> Vec<(String, TextTable)> {
+    let tables = match findings {
+        Findings::Sensitivity(found) => vec![("sensitivity", sensitivities(found)), ("curves", curves(found))],
+        Findings::Optimization(found) => vec![
+            ("variables", variables(found)),
+            ("constraints", constraints(found)),
+            ("iterations", iterations(found)),
+            ("starts", starts(found)),
+        ],
+        Findings::Tolerance(found) => vec![("tolerances", tolerances(found)), ("histogram", histogram(found))],
+        Findings::Sizing(found) => vec![("candidates", candidates(found))],
+        Findings::Designs(_) => Vec::new(),
+    };
+    let filled = tables.into_iter().filter(|(_, table)| !table.rows.is_empty());
+    filled.map(|(stem, table)| (stem.to_owned(), table)).collect()
+}
+
+fn table<const N: usize>(heads: [String; N], rows: Vec<Vec<Field>>) -> TextTable {
+    TextTable { heads: heads.to_vec(), rows }
+}
+
+fn heads<const N: usize>(names: [&str; N]) -> [String; N] {
+    names.map(str::to_owned)
+}
+
+fn number(si: f64, unit: &Unit) -> Field {
+    Field::Number(rounded(si, unit))
+}
+
+fn text(words: &str) -> Field {
+    Field::Text(words.to_owned())
+}
+
+/// Rows of different units carry the unit in a column of its own.
+fn sensitivities(found: &Sensitivity) -> TextTable {
+    let rows = found.parameters.iter().map(|row| {
+        vec![
+            text(&row.name),
+            number(row.value, &row.unit),
+            text(&row.unit.symbol),
+            number(row.derivative, &row.derivative_unit),
+            text(&row.derivative_unit.symbol),
+            Field::Number(row.relative),
+            text(&row.note),
+        ]
+    });
+    let names = ["parameter", "value", "unit", "derivative", "derivative unit", "relative", "note"];
+    table(heads(names), rows.collect())
+}
+
+fn curves(found: &Sensitivity) -> TextTable {
+    let with_curve = found.parameters.iter().filter_map(|row| Some((row, row.curve.as_ref()?)));
+    let points = with_curve.flat_map(|(row, curve)| {
+        let point = |(parameter, response): (&f64, &f64)| {
+            vec![text(&row.name), number(*parameter, &row.unit), text(&row.unit.symbol), number(*response, &found.unit)]
+        };
+        curve.parameter.iter().zip(&curve.response).map(point).collect::<Vec<_>>()
+    });
+    let response = heading("response", &found.unit);
+    table(["parameter".to_owned(), "value".to_owned(), "unit".to_owned(), response], points.collect())
+}
+
+fn variables(found: &Optimization) -> TextTable {
+    let rows = found.variables.iter().map(|row| {
+        vec![
+            text(&row.name),
+            number(row.start, &row.unit),
+            number(row.value, &row.unit),
+            Field::Number(change(row.start, row.value)),
+            text(&row.unit.symbol),
+            number(row.bounds.0, &row.unit),
+            number(row.bounds.1, &row.unit),
+            text(row.bound.unwrap_or("")),
+            number(row.multiplier, &row.multiplier_unit),
+            text(&row.multiplier_unit.symbol),
+        ]
+    });
+    let names =
+        ["variable", "start", "value", "change", "unit", "min", "max", "bound", "multiplier", "multiplier unit"];
+    table(heads(names), rows.collect())
+}
+
+fn constraints(found: &Optimization) -> TextTable {
+    let rows = found.constraints.iter().map(|row| {
+        vec![
+            text(&row.written),
+            number(row.left.0, &row.unit),
+            number(row.left.1, &row.unit),
+            number(row.right, &row.unit),
+            text(&row.unit.symbol),
+            text(if row.active { "active" } else { "" }),
+            number(row.violation, &row.unit),
+            number(row.multiplier, &row.multiplier_unit),
+            text(&row.multiplier_unit.symbol),
+        ]
+    });
+    let names =
+        ["constraint", "start", "left", "right", "unit", "active", "violation", "multiplier", "multiplier unit"];
+    table(heads(names), rows.collect())
+}
+
+fn iterations(found: &Optimization) -> TextTable {
+    let unit = &found.objective.unit;
+    let rows = found.iterations.iter().map(|row| {
+        vec![
+            Field::Number(row.start as f64),
+            Field::Number(row.iteration as f64),
+            Field::Number(row.evaluations as f64),
+            number(row.objective, unit),
+            Field::Number(row.violation),
+            Field::Number(row.optimality),
+            Field::Number(row.step),
+        ]
+    });
+    let mut names = heads(["start", "iteration", "evaluations", "", "violation", "optimality", "step"]);
+    names[3] = heading("objective", unit);
+    table(names, rows.collect())
+}
+
+/// One start only is told by the variables.
+fn starts(found: &Optimization) -> TextTable {
+    if found.starts.len() < 2 {
+        return TextTable::default();
+    }
+    let place =
+        |word: &str| found.variables.iter().map(|row| heading(&format!("{word} {}", row.name), &row.unit)).collect();
+    let columns: [Vec<String>; 5] = [
+        vec!["start".to_owned()],
+        place("from"),
+        place("to"),
+        vec![heading("objective", &found.objective.unit)],
+        vec!["violation".to_owned(), "status".to_owned()],
+    ];
+    let point = |values: &[f64]| -> Vec<Field> {
+        found.variables.iter().zip(values).map(|(row, si)| number(*si, &row.unit)).collect()
+    };
+    let rows = found.starts.iter().map(|row| {
+        let mut fields = vec![Field::Number(row.start as f64)];
+        fields.extend(point(&row.from));
+        fields.extend(point(&row.point));
+        fields.extend([number(row.objective, &found.objective.unit), row.violation.into(), text(&row.status)]);
+        fields
+    });
+    TextTable { heads: columns.concat(), rows: rows.collect() }
+}
+
+fn tolerances(found: &Tolerance) -> TextTable {
+    let rows = found.inputs.iter().map(|row| {
+        vec![
+            text(&row.name),
+            number(row.nominal, &row.unit),
+            number(row.half_width, &row.unit),
+            number(row.deviation, &row.unit),
+            text(&row.unit.symbol),
+            text(row.distribution),
+            number(row.derivative, &row.derivative_unit),
+            text(&row.derivative_unit.symbol),
+            Field::Number(row.variance_share),
+            Field::Number(row.worst_share),
+        ]
+    });
+    let names = [
+        "parameter",
+        "nominal",
+        "half width",
+        "deviation",
+        "unit",
+        "distribution",
+        "derivative",
+        "derivative unit",
+        "share of variance",
+        "share of worst case",
+    ];
+    table(heads(names), rows.collect())
+}
+
+fn histogram(found: &Tolerance) -> TextTable {
+    let bins = found.monte_carlo.iter().flat_map(|run| &run.histogram);
+    let unit = &found.unit;
+    let rows = bins.map(|bin| vec![number(bin.from, unit), number(bin.to, unit), Field::Number(bin.count as f64)]);
+    table([heading("from", unit), heading("to", unit), "samples".to_owned()], rows.collect())
+}
+
+/// One row a check, so that a spreadsheet can filter by either.
+fn candidates(found: &Sizing) -> TextTable {
+    let rows = found
+        .candidates
+        .iter()
+        .flat_map(|candidate| candidate.checks.iter().map(|check| check_row(candidate, check)).collect::<Vec<_>>());
+    let names = ["candidate", "candidate passes", "check", "check passes", "needed", "available", "unit", "reason"];
+    table(heads(names), rows.collect())
+}
+
+fn check_row(candidate: &Candidate, check: &Check) -> Vec<Field> {
+    let word = |passes: Option<bool>| match passes {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "not checked",
+    };
+    vec![
+        text(&candidate.name),
+        text(word(Some(candidate.passes))),
+        text(&check.key),
+        text(word(check.passes)),
+        number(check.needed, &check.unit),
+        number(check.available, &check.unit),
+        text(&check.unit.symbol),
+        text(&check.reason),
+    ]
+}
