@@ -12,11 +12,11 @@ mod token;
 
 use crate::{Diagnostic, Dimension, Number, ParameterSet, Span};
 
-pub(crate) use ast::{Node, NodeKind, Parsed};
+pub(crate) use ast::{Node, NodeKind, Parsed, Tolerance};
 pub(crate) use check::{Known, Resolve};
 pub(crate) use function::reserved;
-pub(crate) use parse::{parse, parse_unit};
-pub(crate) use read::{Purpose, condition, constraint, parsed, response};
+pub(crate) use parse::{parse, parse_difference, parse_unit, plain};
+pub(crate) use read::{Purpose, condition, constraint, half_width, nominal, parsed, response};
 pub(crate) use token::Written;
 
 use program::{Op, Program};

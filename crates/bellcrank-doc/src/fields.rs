@@ -7,3 +7,4 @@ mod tests;
 
 pub use cursor::Fields;
 pub use reader::Reader;
+pub(crate) use reader::quoted;

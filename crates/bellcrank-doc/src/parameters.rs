@@ -2,14 +2,17 @@
 
 mod order;
 mod read;
+mod spread;
 #[cfg(test)]
 mod tests;
 
 use std::collections::{HashMap, HashSet};
 
-use crate::expression::{HUGE, Known, Purpose};
+use crate::expression::{HUGE, Known, Purpose, Tolerance, half_width, nominal};
 use crate::overrides::Override;
 use crate::{Diagnostic, Diagnostics, Dimension, Expression, NoSignals, Number, Scope, Span, Table, nearest};
+
+pub use spread::{Distribution, Spread};
 
 /// One parameter.
 #[derive(Clone, Debug)]
@@ -20,16 +23,18 @@ pub struct Parameter {
     pub span: Span,
     /// What it measures.
     pub dimension: Dimension,
-    /// Its definition over the other parameters (an override's, where there is one).
+    /// Its definition over the other parameters (an override's, where there is one), without a tolerance.
     pub expression: Expression,
-    /// Its definition as written.
+    /// Its definition as written, with the tolerance after `±` where there is one.
     pub written: String,
     /// Lower bound, SI.
     pub min: Option<f64>,
     /// Upper bound, SI.
     pub max: Option<f64>,
-    /// Tolerance (half width), SI.
+    /// Tolerance (half width), SI; not negative. The same as [`Spread::half_width`].
     pub tolerance: Option<f64>,
+    /// How the value scatters.
+    pub spread: Spread,
     /// The author's note; empty without one.
     pub note: String,
     pub(crate) limits: Limits,
@@ -41,6 +46,7 @@ pub(crate) struct Limits {
     pub(crate) min: Option<Expression>,
     pub(crate) max: Option<Expression>,
     pub(crate) tolerance: Option<Expression>,
+    pub(crate) sigma: Option<Expression>,
 }
 
 /// All parameters of a model, in written order, with their values.
@@ -146,12 +152,32 @@ impl ParameterSet {
         let purpose = Purpose { what: &what, dimension: Some(parameter.dimension) };
         let mut scope = Scope { parameters: before, signals: &mut NoSignals };
         let mut own = diagnostics.branch();
-        if let Some(expression) = one.written.value(purpose, &mut scope, &mut own) {
-            parameter.written = expression.written().to_owned();
+        let tree = one.written.parse(&mut own);
+        let nominal = tree.as_ref().and_then(|tree| nominal(tree, &one.written.text, purpose, &mut scope, &mut own));
+        if let Some(expression) = nominal {
+            parameter.written = one.written.text.clone().into_owned();
             parameter.expression = expression;
+        }
+        if let Some(tolerance) = tree.as_ref().and_then(|tree| tree.tolerance.as_ref()) {
+            parameter.limits.tolerance = before.half_width(index, tolerance, &one.written.text, &mut own);
         }
         let defined = parameter.span;
         diagnostics.append(own.into_iter().map(|d| with_definition(d, &what, defined)).collect());
+    }
+
+    /// What stands after the `±` of a definition.
+    fn half_width(
+        &self,
+        index: usize,
+        tolerance: &Tolerance,
+        text: &str,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Expression> {
+        let parameter = self.all.get(index)?;
+        let what = format!("the tolerance of `{}`", parameter.name);
+        let purpose = Purpose { what: &what, dimension: Some(parameter.dimension) };
+        let mut scope = Scope { parameters: self, signals: &mut NoSignals };
+        half_width(tolerance, text, purpose, &mut scope, diagnostics)
     }
 
     fn unknown(&self, one: &Override) -> Diagnostic {
@@ -194,6 +220,9 @@ impl ParameterSet {
             parameter.min = at(&parameter.limits.min);
             parameter.max = at(&parameter.limits.max);
             parameter.tolerance = at(&parameter.limits.tolerance);
+            parameter.spread.half_width = parameter.tolerance;
+            parameter.spread.sigma = at(&parameter.limits.sigma);
+            spread::judge(parameter, diagnostics);
             diagnostics.append(outside(parameter, value).into_iter().collect());
         }
     }

@@ -64,9 +64,23 @@ impl<'t> WrittenValue<'t> {
     pub(crate) fn parse(&self, diagnostics: &mut Diagnostics) -> Option<Parsed> {
         if let Some(number) = self.number {
             let left = Node::leaf(NodeKind::Number(number), self.span);
-            return Some(Parsed { left, right: None });
+            return Some(Parsed { left, tolerance: None, right: None });
         }
         expression::parse(self.written()).map_err(|fault| diagnostics.push(fault)).ok()
+    }
+
+    /// The checked value of a difference (2 degC are 2 K).
+    pub(crate) fn difference(
+        &self,
+        purpose: Purpose<'_>,
+        names: &mut dyn Resolve,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Expression> {
+        let tree = match self.number {
+            Some(_) => self.parse(diagnostics)?,
+            None => expression::parse_difference(self.written()).map_err(|fault| diagnostics.push(fault)).ok()?,
+        };
+        expression::parsed(&tree, &self.text, purpose, names, diagnostics)
     }
 
     /// The checked value.

@@ -1,7 +1,9 @@
 //! What was written, before names and dimensions are looked at.
 
+use std::ops::Range;
+
 use super::Comparison;
-use crate::{Dimension, Span};
+use crate::{Diagnostic, Dimension, Span};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Node {
@@ -38,11 +40,33 @@ pub(crate) enum Operator {
     Power,
 }
 
-/// A whole value: a sum, or two sums compared.
+/// A whole value: a sum, a sum with a tolerance, or two sums compared.
 #[derive(Clone, Debug)]
 pub(crate) struct Parsed {
     pub(crate) left: Node,
+    pub(crate) tolerance: Option<Tolerance>,
     pub(crate) right: Option<(Comparison, Span, Node)>,
+}
+
+/// What follows `±`.
+#[derive(Clone, Debug)]
+pub(crate) struct Tolerance {
+    /// The sign as written.
+    pub(crate) sign: &'static str,
+    pub(crate) span: Span,
+    /// Bytes of the sign in the text.
+    pub(crate) bytes: Range<usize>,
+    pub(crate) half_width: Node,
+}
+
+impl Tolerance {
+    /// The report of a tolerance where none can be.
+    pub(crate) fn misplaced(sign: &str, span: Span) -> Diagnostic {
+        let message = format!("`{sign}` sets the tolerance of a parameter and cannot stand here");
+        let error = Diagnostic::error("tolerance", span, message)
+            .hint("a tolerance belongs to a parameter: `[parameters] l3 = \"732 mm ± 0.1 mm\"`");
+        if sign == "+-" { error.hint("for a difference write `-`") } else { error }
+    }
 }
 
 impl Node {
@@ -54,6 +78,15 @@ impl Node {
         let span = left.span.to(right.span);
         let depth = left.depth.max(right.depth) + 1;
         Node { kind: NodeKind::Binary(operator, Box::new([left, right])), span, depth }
+    }
+
+    /// A number that stands alone, without a unit.
+    pub(super) fn literal(&self) -> Option<f64> {
+        match &self.kind {
+            NodeKind::Number(value) => Some(*value),
+            NodeKind::Negate(inner) => inner.literal().map(|value| -value),
+            _ => None,
+        }
     }
 
     /// Calls `visit` with every name in the tree.

@@ -1,7 +1,7 @@
 //! From tokens to the tree.
 //!
 //! ```text
-//! value   = sum [ ("<" | "<=" | ">" | ">=" | "==") sum ]
+//! value   = sum [ "±" sum ] [ ("<" | "<=" | ">" | ">=" | "==") sum ]
 //! sum     = product { ("+" | "-") product }
 //! product = signed { ("*" | "/") signed }
 //! signed  = ("-" | "+") signed | power
@@ -12,9 +12,14 @@
 //! A number and its units bind tighter than any operator: `l5/2 mm` is `l5/(2 mm)`. The product of
 //! units goes on over `*` and `/` while a unit follows; no parameter can have a unit's name, so
 //! `2 m*x` is the product of 2 m and `x`. A unit that stands alone is one of it: `1/s`, `5/mm`.
+//! `±` (also `+/-`, and `+-` after an operand) sets the tolerance of a parameter: `732 mm ± 0.1 mm`. A
+//! number without a unit before it takes the unit of the number after it: `732 ± 0.1 mm`. A
+//! tolerance is a difference: there 1 degC is 1 K.
 //! Parts of dotted names that hold `-` are quoted: `joint.'left-knee'.position`.
 
-use super::ast::{Node, NodeKind, Operator, Parsed};
+use std::ops::Range;
+
+use super::ast::{Node, NodeKind, Operator, Parsed, Tolerance};
 use super::function::Function;
 use super::token::{Token, TokenKind, Written, tokens};
 use crate::units::{self, Unit};
@@ -29,8 +34,17 @@ type Result<T> = std::result::Result<T, Diagnostic>;
 
 /// Reads a whole value.
 pub(crate) fn parse(written: Written<'_>) -> Result<Parsed> {
-    let mut parser = Parser { tokens: tokens(written)?, at: 0, nesting: 0 };
-    let left = parser.sum()?;
+    value(Parser::new(tokens(written)?))
+}
+
+/// Reads a whole value that is a difference: 2 degC are 2 K.
+pub(crate) fn parse_difference(written: Written<'_>) -> Result<Parsed> {
+    value(Parser { differences: true, ..Parser::new(tokens(written)?) })
+}
+
+fn value(mut parser: Parser) -> Result<Parsed> {
+    let mut left = parser.sum()?;
+    let tolerance = parser.tolerance(&mut left)?;
     let right = match parser.peek() {
         TokenKind::Compare(comparison) => {
             let comparison = *comparison;
@@ -40,7 +54,7 @@ pub(crate) fn parse(written: Written<'_>) -> Result<Parsed> {
         _ => None,
     };
     match parser.peek() {
-        TokenKind::End => Ok(Parsed { left, right }),
+        TokenKind::End => Ok(Parsed { left, tolerance, right }),
         _ => Err(parser.unexpected()),
     }
 }
@@ -50,7 +64,7 @@ pub(crate) fn parse_unit(written: &str) -> std::result::Result<Unit, String> {
     let nowhere = Span::new(crate::Sources::new().add("", ""), 0, 0);
     let written = Written { text: written, span: nowhere, origin: None };
     let mut parser = match tokens(written) {
-        Ok(tokens) => Parser { tokens, at: 0, nesting: 0 },
+        Ok(tokens) => Parser::new(tokens),
         Err(fault) => return Err(fault.message),
     };
     let unit = parser.units().map_err(|fault| fault.message)?;
@@ -60,13 +74,92 @@ pub(crate) fn parse_unit(written: &str) -> std::result::Result<Unit, String> {
     }
 }
 
+/// A value that is a number with at most a unit, perhaps with a tolerance, as its text has it.
+pub(crate) struct Plain {
+    /// The unit, of the number or of both sides of `±`: its bytes.
+    pub(crate) unit: Option<(Range<usize>, Unit)>,
+}
+
+/// What a value's text has of a plain number; `None` where it has more.
+pub(crate) fn plain(text: &str) -> Option<Plain> {
+    let nowhere = Span::new(crate::Sources::new().add("", ""), 0, 0);
+    let mut parser = Parser::new(tokens(Written { text, span: nowhere, origin: None }).ok()?);
+    let unit = parser.plain()?;
+    let unit = match (unit, parser.peek()) {
+        (unit, TokenKind::End) | (unit @ Some(_), TokenKind::PlusMinus(_)) => unit,
+        (None, TokenKind::PlusMinus(_)) => {
+            parser.advance();
+            let unit = parser.plain()?;
+            if *parser.peek() != TokenKind::End {
+                return None;
+            }
+            unit
+        }
+        _ => return None,
+    };
+    Some(Plain { unit })
+}
+
 struct Parser {
     tokens: Vec<Token>,
     at: usize,
     nesting: usize,
+    /// Whether units have no offset.
+    differences: bool,
 }
 
 impl Parser {
+    fn new(tokens: Vec<Token>) -> Parser {
+        Parser { tokens, at: 0, nesting: 0, differences: false }
+    }
+
+    /// `±` and what follows it.
+    fn tolerance(&mut self, nominal: &mut Node) -> Result<Option<Tolerance>> {
+        let TokenKind::PlusMinus(sign) = *self.peek() else { return Ok(None) };
+        let bytes = self.tokens.get(self.at).map_or(0..0, |token| token.bytes.clone());
+        let span = self.advance();
+        let half_width = match self.shared_unit(nominal)? {
+            Some(half_width) => half_width,
+            None => {
+                let before = std::mem::replace(&mut self.differences, true);
+                let half_width = self.sum()?;
+                self.differences = before;
+                half_width
+            }
+        };
+        Ok(Some(Tolerance { sign, span, bytes, half_width }))
+    }
+
+    /// `0.1 mm` after `732 ±`: the unit is that of both.
+    fn shared_unit(&mut self, nominal: &mut Node) -> Result<Option<Node>> {
+        let (Some(value), TokenKind::Number(half_width)) = (nominal.literal(), self.peek().clone()) else {
+            return Ok(None);
+        };
+        let before = self.at;
+        let start = self.advance();
+        let unit = self.units()?;
+        let Some(unit) = unit.filter(|_| *self.peek() == TokenKind::End) else {
+            self.at = before;
+            return Ok(None);
+        };
+        let span = start.to(self.last());
+        nominal.kind = NodeKind::Quantity(unit.to_si(value), unit.dimension);
+        Ok(Some(Node::leaf(NodeKind::Quantity(difference(unit).to_si(half_width), unit.dimension), span)))
+    }
+
+    /// A number with a sign and a unit, if it has any; the unit. `None` when something else is there.
+    fn plain(&mut self) -> Option<Option<(Range<usize>, Unit)>> {
+        if matches!(self.peek(), TokenKind::Minus | TokenKind::Plus) {
+            self.advance();
+        }
+        let TokenKind::Number(_) = self.peek() else { return None };
+        self.advance();
+        let start = self.at;
+        let unit = self.units().ok()?;
+        let bytes = |at: usize| self.tokens.get(at).map(|token| token.bytes.clone());
+        Some(unit.and_then(|unit| Some((bytes(start)?.start..bytes(self.at.checked_sub(1)?)?.end, unit))))
+    }
+
     fn peek(&self) -> &TokenKind {
         self.ahead(0)
     }
@@ -189,7 +282,10 @@ impl Parser {
         let unit = self.units()?;
         let span = span.to(self.last());
         match unit {
-            Some(unit) => Ok(Node::leaf(NodeKind::Quantity(unit.to_si(value), unit.dimension), span)),
+            Some(unit) => {
+                let unit = if self.differences { difference(unit) } else { unit };
+                Ok(Node::leaf(NodeKind::Quantity(unit.to_si(value), unit.dimension), span))
+            }
             None => {
                 self.refuse_word(span)?;
                 Ok(Node::leaf(NodeKind::Number(value), span))
@@ -371,6 +467,9 @@ impl Parser {
             let error = Diagnostic::error("expression", self.here(), format!("an operator is missing before `{word}`"));
             return error.hint(format!("for a product write `*{word}`"));
         }
+        if let TokenKind::PlusMinus(sign) = self.peek() {
+            return Tolerance::misplaced(sign, self.here());
+        }
         let message = match self.peek() {
             TokenKind::End if self.tokens.len() == 1 => "the expression is empty",
             TokenKind::End => "the expression ends here; expected a number, a name or `(`",
@@ -382,6 +481,11 @@ impl Parser {
         };
         Diagnostic::error("expression", self.here(), message)
     }
+}
+
+/// A unit of differences: 1 degC is 1 K.
+fn difference(unit: Unit) -> Unit {
+    Unit { offset: 0.0, ..unit }
 }
 
 fn combined(a: Unit, b: Unit, divides: bool) -> Option<Unit> {

@@ -1,6 +1,6 @@
 //! From written values to checked ones, by what they are for.
 
-use super::ast::{Node, NodeKind, Parsed};
+use super::ast::{Node, NodeKind, Parsed, Tolerance};
 use super::check::{Checker, Known, Relation, Resolve, Typed, mismatch_hint};
 use super::token::Written;
 use super::{Comparison, Condition, Constraint, Expression, Reduction, Response, Scope, parse};
@@ -48,8 +48,35 @@ pub(crate) fn parsed(
     names: &mut dyn Resolve,
     diagnostics: &mut Diagnostics,
 ) -> Option<Expression> {
+    refuse_tolerance(tree, diagnostics)?;
     let node = single(tree, purpose.what, diagnostics)?;
     side(node, text, purpose, names, diagnostics, None)
+}
+
+/// A value that may have a tolerance, without it.
+pub(crate) fn nominal(
+    tree: &Parsed,
+    text: &str,
+    purpose: Purpose<'_>,
+    names: &mut dyn Resolve,
+    diagnostics: &mut Diagnostics,
+) -> Option<Expression> {
+    let node = single(tree, purpose.what, diagnostics)?;
+    let end = tree.tolerance.as_ref().map_or(text.len(), |tolerance| tolerance.bytes.start);
+    let text = if tree.tolerance.is_some() { text.get(..end).unwrap_or(text).trim() } else { text };
+    side(node, text, purpose, names, diagnostics, None)
+}
+
+/// What follows the `±` of a value.
+pub(crate) fn half_width(
+    tolerance: &Tolerance,
+    text: &str,
+    purpose: Purpose<'_>,
+    names: &mut dyn Resolve,
+    diagnostics: &mut Diagnostics,
+) -> Option<Expression> {
+    let text = text.get(tolerance.bytes.end..).unwrap_or(text).trim();
+    side(&tolerance.half_width, text, purpose, names, diagnostics, None)
 }
 
 /// One number of a run.
@@ -94,7 +121,15 @@ pub(crate) fn constraint(
 }
 
 fn tree(written: Written<'_>, diagnostics: &mut Diagnostics) -> Option<Parsed> {
-    parse(written).map_err(|fault| diagnostics.push(fault)).ok()
+    let tree = parse(written).map_err(|fault| diagnostics.push(fault)).ok()?;
+    refuse_tolerance(&tree, diagnostics)?;
+    Some(tree)
+}
+
+fn refuse_tolerance(tree: &Parsed, diagnostics: &mut Diagnostics) -> Option<()> {
+    let Some(Tolerance { sign, span, .. }) = &tree.tolerance else { return Some(()) };
+    diagnostics.push(Tolerance::misplaced(sign, *span));
+    None
 }
 
 /// The value of a text that compares nothing.

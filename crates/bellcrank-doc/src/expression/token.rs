@@ -1,5 +1,7 @@
 //! From written text to tokens.
 
+use std::ops::Range;
+
 use super::Comparison;
 use crate::{Diagnostic, Span, Text, units};
 
@@ -44,6 +46,8 @@ pub(super) enum TokenKind {
     Close,
     Comma,
     Compare(Comparison),
+    /// `±`, as it was written.
+    PlusMinus(&'static str),
     End,
 }
 
@@ -51,6 +55,8 @@ pub(super) enum TokenKind {
 pub(super) struct Token {
     pub(super) kind: TokenKind,
     pub(super) span: Span,
+    /// Bytes of the text.
+    pub(super) bytes: Range<usize>,
     /// Whether blanks stand before it.
     pub(super) spaced: bool,
 }
@@ -61,11 +67,12 @@ pub(super) fn tokens(written: Written<'_>) -> Result<Vec<Token>, Diagnostic> {
         let message = format!("an expression of {} characters; at most {MAX_TEXT} are read", written.text.len());
         return Err(Diagnostic::error("expression-too-long", written.span, message));
     }
-    let mut lexer = Lexer { written, at: 0 };
+    let mut lexer = Lexer { written, at: 0, after_operand: false };
     let mut tokens = Vec::new();
     loop {
         let token = lexer.next()?;
         let done = token.kind == TokenKind::End;
+        lexer.after_operand = matches!(token.kind, TokenKind::Number(_) | TokenKind::Name(_) | TokenKind::Close);
         tokens.push(token);
         if done {
             return Ok(tokens);
@@ -77,6 +84,8 @@ struct Lexer<'t> {
     written: Written<'t>,
     /// Byte of the text that is next.
     at: usize,
+    /// Whether an operand ends there.
+    after_operand: bool,
 }
 
 impl<'t> Lexer<'t> {
@@ -90,7 +99,8 @@ impl<'t> Lexer<'t> {
         self.at += rest.len() - rest.trim_start().len();
         let start = self.at;
         let kind = self.kind()?;
-        Ok(Token { kind, span: self.written.place(start, self.at), spaced: start > before })
+        let (span, bytes) = (self.written.place(start, self.at), start..self.at);
+        Ok(Token { kind, span, bytes, spaced: start > before })
     }
 
     fn kind(&mut self) -> Result<TokenKind, Diagnostic> {
@@ -102,6 +112,10 @@ impl<'t> Lexer<'t> {
         }
         if first.is_ascii_alphabetic() || first == '_' {
             return self.name();
+        }
+        if let Some(sign) = self.plus_minus() {
+            self.at += sign.len();
+            return Ok(TokenKind::PlusMinus(sign));
         }
         let (kind, length) = match (first, second) {
             ('<', Some('=')) => (TokenKind::Compare(Comparison::LessOrEqual), 2),
@@ -122,6 +136,12 @@ impl<'t> Lexer<'t> {
         };
         self.at += length;
         Ok(kind)
+    }
+
+    /// `+-` is one sign only where two signs would be odd: after an operand, without a blank between.
+    fn plus_minus(&self) -> Option<&'static str> {
+        let signs = if self.after_operand { &["±", "+/-", "+-"][..] } else { &["±", "+/-"] };
+        signs.iter().copied().find(|sign| self.rest().starts_with(sign))
     }
 
     /// `12`, `.5`, `1.5e-3`. An `e` without digits starts a name.
@@ -192,6 +212,7 @@ impl<'t> Lexer<'t> {
             '²' => Some("a square is written `^2`".to_owned()),
             '³' => Some("a cube is written `^3`".to_owned()),
             'π' => Some("write `pi`".to_owned()),
+            '%' => Some("a part is a plain number: `1 %` of `l1` is `0.01*l1`".to_owned()),
             '=' => Some("a comparison is written `==`, `<=` or `>=`".to_owned()),
             _ => units::suggestion(
                 &self.rest().chars().take_while(|c| c.is_alphanumeric() || !c.is_ascii()).collect::<String>(),

@@ -249,6 +249,6 @@ impl<'p> Reader<'p> {
 }
 
 /// `a`, `b`, `c`
-pub(super) fn quoted(names: &[&str]) -> String {
+pub(crate) fn quoted(names: &[&str]) -> String {
     names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ")
 }

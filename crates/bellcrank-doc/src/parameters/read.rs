@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::{Limits, Parameter, ParameterSet, order};
-use crate::expression::{Known, Parsed, Purpose, Resolve, parsed, reserved};
+use super::{Limits, Parameter, ParameterSet, Spread, order, spread};
+use crate::expression::{Known, Parsed, Purpose, Resolve, nominal, reserved};
+use crate::fields::quoted;
 use crate::written::WrittenValue;
 use crate::{
     Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Scope, Table, Value, ValueKind, nearest,
@@ -12,7 +13,7 @@ use crate::{
 /// Names that are looked through for a hint.
 const HINTED: usize = 2000;
 
-const KEYS: [&str; 5] = ["value", "min", "max", "note", "tolerance"];
+const KEYS: [&str; 7] = ["value", "min", "max", "note", "tolerance", "distribution", "sigma"];
 
 /// A definition before names are looked up.
 struct Draft<'t> {
@@ -35,6 +36,7 @@ pub(super) fn read(table: &Table, diagnostics: &mut Diagnostics) -> ParameterSet
     let definitions = define(&drafts, &mut set, diagnostics);
     collect(&drafts, definitions, &mut set);
     read_details(table, &mut set, diagnostics);
+    read_tolerances(&drafts, &mut set, diagnostics);
     set.settle(diagnostics);
     set
 }
@@ -130,7 +132,7 @@ fn define(drafts: &[Draft<'_>], set: &mut ParameterSet, diagnostics: &mut Diagno
         let what = format!("`{}`", draft.entry.key);
         let purpose = Purpose { what: &what, dimension: None };
         let mut stage = Stage { names: &names, drafts, done: &done, faulty: &set.faulty };
-        let expression = parsed(&draft.tree, &draft.written.text, purpose, &mut stage, diagnostics);
+        let expression = nominal(&draft.tree, &draft.written.text, purpose, &mut stage, diagnostics);
         done[i] = expression.map(|expression| {
             let value: f64 = expression.eval(&values, &[]);
             values[i] = value;
@@ -178,11 +180,12 @@ fn parameter(draft: &Draft<'_>, expression: Expression) -> Parameter {
         name: draft.entry.key.clone(),
         span: draft.entry.key_span,
         dimension: expression.dimension(),
-        written: expression.written().to_owned(),
+        written: draft.written.text.clone().into_owned(),
         expression,
         min: None,
         max: None,
         tolerance: None,
+        spread: Spread::default(),
         note: String::new(),
         limits: Limits::default(),
     }
@@ -200,8 +203,10 @@ fn read_details(table: &Table, set: &mut ParameterSet, diagnostics: &mut Diagnos
             min: limit("min", diagnostics),
             max: limit("max", diagnostics),
             tolerance: limit("tolerance", diagnostics),
+            sigma: limit("sigma", diagnostics),
         };
         let note = note(details, diagnostics);
+        set.all[index].spread.distribution = spread::distribution(entry, details, diagnostics);
         set.all[index].limits = limits;
         set.all[index].note = note;
     }
@@ -219,7 +224,30 @@ fn limit(
     let written = WrittenValue::of(&details.get(key)?.value, &what, diagnostics)?;
     let purpose = Purpose { what: &what, dimension: Some(dimension) };
     let mut scope = Scope { parameters: set, signals: &mut NoSignals };
-    written.value(purpose, &mut scope, diagnostics)
+    match key {
+        "tolerance" | "sigma" => written.difference(purpose, &mut scope, diagnostics),
+        _ => written.value(purpose, &mut scope, diagnostics),
+    }
+}
+
+/// The tolerances that stand in the values, after `±`.
+fn read_tolerances(drafts: &[Draft<'_>], set: &mut ParameterSet, diagnostics: &mut Diagnostics) {
+    for draft in drafts {
+        let Some(tolerance) = &draft.tree.tolerance else { continue };
+        let name = &draft.entry.key;
+        let Some(index) = set.index(name) else { continue };
+        if let Some(key) = draft.entry.value.as_table().and_then(|details| details.get("tolerance")) {
+            let message = format!("the tolerance of `{name}` is given twice");
+            let error = Diagnostic::error("duplicate-name", key.key_span, message).label("as a key");
+            diagnostics.push(error.also(tolerance.span, format!("in the value, after `{}`", tolerance.sign)));
+        }
+        let mut own = diagnostics.branch();
+        let half_width = set.half_width(index, tolerance, &draft.written.text, &mut own);
+        set.all[index].limits.tolerance = half_width;
+        let (nominal, phrase) = (draft.tree.left.span, set.all[index].dimension.phrase());
+        let with_value = |d: Diagnostic| if d.code == "dimension" { d.also(nominal, phrase.clone()) } else { d };
+        diagnostics.append(own.into_iter().map(with_value).collect());
+    }
 }
 
 fn note(details: &Table, diagnostics: &mut Diagnostics) -> String {
@@ -240,6 +268,6 @@ fn report_unknown_keys(entry: &Entry, details: &Table, diagnostics: &mut Diagnos
         let message = format!("unknown key `{}` in parameter `{}`", unknown.key, entry.key);
         let error = Diagnostic::error("unknown-key", unknown.key_span, message);
         let error = error.did_you_mean(nearest(&unknown.key, KEYS));
-        diagnostics.push(error.hint("known keys: `value`, `min`, `max`, `note`, `tolerance`"));
+        diagnostics.push(error.hint(format!("known keys: {}", quoted(&KEYS))));
     }
 }

@@ -1,6 +1,6 @@
 //! Values, cycles, bounds, overrides.
 
-use crate::{Diagnostics, Dimension, Override, ParameterSet, Sources, parse};
+use crate::{Diagnostics, Dimension, Distribution, Override, ParameterSet, Sources, parse};
 
 fn read(text: &str) -> (ParameterSet, Vec<String>) {
     let mut sources = Sources::new();
@@ -150,4 +150,130 @@ fn overrides() {
         assert!(apply(&[argument]).unwrap_err()[0].contains("expected `NAME=VALUE`"));
     }
     assert!(apply(&["m1=1 kg", "m1=2 kg"]).unwrap_err()[0].contains("`m1` is set twice"));
+}
+
+#[test]
+fn tolerances_in_the_value() {
+    let same = [
+        "\"732 mm ± 0.1 mm\"",
+        "\"732 mm +/- 0.1 mm\"",
+        "\"732 mm +- 0.1 mm\"",
+        "\"732mm+-0.1mm\"",
+        "\"732 ± 0.1 mm\"",
+        "\"732 +/- .1 mm\"",
+        "'732 mm ± w'",
+        "\"732 mm \\u00b1 0.1 mm\"",
+        "{ value = \"732 mm ± 0.2*w + 80 um\" }",
+        "{ value = \"732 mm\", tolerance = \"0.1 mm\" }",
+    ];
+    for value in same {
+        let (set, reports) = read(&format!("w = \"0.1 mm\"\nl3 = {value}\nl4 = \"2*l3\""));
+        assert!(reports.is_empty(), "{value}: {reports:?}");
+        let l3 = set.get("l3").unwrap();
+        assert_eq!((set.values()[1], set.values()[2], l3.tolerance), (0.732, 1.464, Some(1e-4)), "{value}");
+        assert_eq!((l3.spread.half_width, l3.spread.sigma, l3.dimension), (Some(1e-4), None, Dimension::LENGTH));
+    }
+    let (set, _) = read("l3 = \" 732 mm ± 0.1 mm\"\nn = \"3 ± 1\"\nv = \"-5 ± 2 degC\"\nu = \"20 degC ± 2 degC\"");
+    let l3 = set.get("l3").unwrap();
+    assert_eq!((l3.written.as_str(), l3.expression.written()), (" 732 mm ± 0.1 mm", "732 mm"));
+    let found: Vec<_> = set.all().iter().zip(set.values()).map(|(p, v)| (*v, p.tolerance.unwrap())).collect();
+    assert_eq!(found, [(0.732, 1e-4), (3.0, 1.0), (268.15, 2.0), (293.15, 2.0)]);
+    let units: Vec<_> = set.all().iter().map(|p| p.unit_as_written().unwrap()).collect();
+    assert_eq!(units, ["mm", "", "degC", "degC"]);
+    // Two signs apart are two signs.
+    assert_eq!(read("l3 = \"5 mm + -3 mm\"\nl4 = \"2*+-3 mm\"").0.values(), [0.002, -0.006]);
+}
+
+#[test]
+fn faulty_tolerances() {
+    let belongs = "a tolerance belongs to a parameter: `[parameters] l3 = \"732 mm ± 0.1 mm\"`";
+    let cases: &[(&str, &str)] = &[
+        ("a = { value = \"1 m ± 1 mm\", tolerance = \"2 mm\" }", "m.toml:1:29 the tolerance of `a` is given twice | "),
+        ("a = \"1 m ± 1 deg\"", "m.toml:1:12 the tolerance of `a` needs a length, found an angle | "),
+        ("a = \"1 m ± 1\"", "m.toml:1:12 the tolerance of `a` needs a length, found a plain number | write `\"1 mm\"`"),
+        ("a = \"1 m ± -1 mm\"", "m.toml:1:12 the tolerance of `a` is negative | it is a width: 0 or more"),
+        (
+            "a = { value = 3, tolerance = -1 }",
+            "m.toml:1:30 the tolerance of `a` is negative | it is a width: 0 or more",
+        ),
+        ("a = { value = 3, sigma = -1 }", "m.toml:1:26 the `sigma` of `a` is negative | it is a width: 0 or more"),
+        (
+            "a = \"(1 ± 0.1) m\"",
+            &format!("m.toml:1:9 `±` sets the tolerance of a parameter and cannot stand here | {belongs}"),
+        ),
+        (
+            "a = \"1 m ± 1 mm ± 2 mm\"",
+            &format!("m.toml:1:17 `±` sets the tolerance of a parameter and cannot stand here | {belongs}"),
+        ),
+        (
+            "a = { value = 1, max = \"2 ± 1\" }",
+            &format!("m.toml:1:27 `±` sets the tolerance of a parameter and cannot stand here | {belongs}"),
+        ),
+        (
+            "a = { value = 1, max = \"2 +-1\" }",
+            &format!(
+                "m.toml:1:27 `+-` sets the tolerance of a parameter and cannot stand here | {belongs} | for a difference write `-`"
+            ),
+        ),
+        ("a = \"1 m ±\"", "m.toml:1:11 the expression ends here; expected a number, a name or `(` | "),
+        (
+            "a = \"1 m ± 1 %\"",
+            "m.toml:1:14 `%` has no meaning in an expression | a part is a plain number: `1 %` of `l1` is `0.01*l1`",
+        ),
+        ("arm = \"1 m ± amr\"", "m.toml:1:14 unknown name `amr` | did you mean `arm`?"),
+        (
+            "a = { value = 1, distribution = \"gauss\" }",
+            "m.toml:1:33 `distribution` of parameter `a` cannot be `gauss` | known: `uniform`, `normal`, `truncated`",
+        ),
+        ("a = { value = 1, distribution = 3 }", "m.toml:1:33 `distribution` needs a string, found a number | "),
+        (
+            "a = { value = 1, distribution = \"uniform\", sigma = 1 }",
+            "m.toml:1:44 parameter `a` is uniform and cannot have a `sigma` | a uniform distribution is as wide as the tolerance; `sigma` goes with `normal` and `truncated`",
+        ),
+    ];
+    for (text, wanted) in cases {
+        assert_eq!(read(text).1, [*wanted], "{text}");
+    }
+}
+
+#[test]
+fn distributions() {
+    let text = "a = { value = \"1 m ± 3 mm\", distribution = \"truncated\", sigma = \"1 mm\" }\nb = { value = \"20 degC\", tolerance = \"2 degC\", distribution = \"normal\" }";
+    let (set, reports) = read(text);
+    assert!(reports.is_empty(), "{reports:?}");
+    let spread = set.all()[0].spread;
+    assert_eq!(
+        (spread.half_width, spread.sigma, spread.distribution),
+        (Some(3e-3), Some(1e-3), Some(Distribution::Truncated))
+    );
+    let spread = set.all()[1].spread;
+    assert_eq!((spread.half_width, spread.sigma, spread.distribution), (Some(2.0), None, Some(Distribution::Normal)));
+    assert_eq!(Distribution::Uniform.name(), "uniform");
+}
+
+#[test]
+fn overrides_of_tolerances() {
+    let (set, _) = read("w = \"1 mm\"\nl3 = { value = \"732 mm ± w/10\", sigma = \"50 um\" }");
+    let l3 = |argument: &str| {
+        let mut sources = Sources::new();
+        sources.add("m.toml", "");
+        let one = Override::from_argument(&mut sources, argument).unwrap();
+        let set = set.with_overrides(&[one]).map_err(|errors| reports(errors, &sources));
+        set.map(|(set, _)| (set.values()[1], set.get("l3").unwrap().clone()))
+    };
+    // A plain value keeps the tolerance, which follows what it is made of.
+    let (value, p) = l3("l3=700 mm").unwrap();
+    assert_eq!((value, p.tolerance, p.written.as_str()), (0.7, Some(1e-4), "700 mm"));
+    assert_eq!(l3("w=2 mm").unwrap().1.tolerance, Some(2e-4));
+    let (value, p) = l3("l3 = 700 ± 0.3 mm").unwrap();
+    assert_eq!((value, p.tolerance, p.spread.sigma), (0.7, Some(3e-4), Some(5e-5)));
+    assert_eq!((p.written.as_str(), p.spread.half_width), (" 700 ± 0.3 mm", Some(3e-4)));
+    assert_eq!(
+        l3("l3=700 mm ± 1 deg").unwrap_err(),
+        ["--set:1:13 the tolerance of `l3` needs a length, found an angle | "]
+    );
+    assert_eq!(
+        l3("l3=700 mm ± -1 mm").unwrap_err()[0],
+        "--set:1:13 the tolerance of `l3` is negative | it is a width: 0 or more"
+    );
 }

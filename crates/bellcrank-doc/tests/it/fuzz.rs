@@ -153,6 +153,14 @@ fn pieces() -> impl Strategy<Value = String> {
         "sqrt(",
         "pi",
         "time",
+        "±",
+        "+/-",
+        "+-",
+        " ± 0.1 mm",
+        "tolerance",
+        "sigma",
+        "at(",
+        "last(",
     ];
     prop::collection::vec(prop::sample::select(words.to_vec()), 0..60).prop_map(|words| words.concat())
 }
