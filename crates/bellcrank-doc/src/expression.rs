@@ -97,6 +97,12 @@ impl Expression {
         self.dimension
     }
 
+    /// Whether it may stand where `wanted` is: the dimensions agree, or it is a literal 0.
+    #[must_use]
+    pub fn fits(&self, wanted: Dimension) -> bool {
+        self.dimension.agrees(wanted) || (self.dimension.is_none() && self.as_constant() == Some(0.0))
+    }
+
     /// Its place.
     #[must_use]
     pub fn span(&self) -> Span {
@@ -210,17 +216,39 @@ pub enum ReductionKind {
     First,
     /// At the end.
     Last,
+    /// Where the study's axis (its swept coordinate, or time) has the value of
+    /// [`Reduction::place`].
+    At,
 }
 
-/// `max(abs(drive.slide.force))`: a curve and how it is reduced.
+/// `max(abs(drive.slide.force))`, `at(drive.slide.force, 15 deg)`: a curve and how it is reduced.
 #[derive(Clone, Debug)]
 pub struct Reduction {
     /// How.
     pub kind: ReductionKind,
     /// The curve, over parameters and signals.
     pub curve: Expression,
-    /// Place of the whole call.
+    /// The place on the study's axis, over parameters: with [`ReductionKind::At`], and only there.
+    /// Its dimension is what was written; [`Reduction::check_place`] asks whether it fits.
+    pub place: Option<Expression>,
+    /// Place of the whole call in the text.
     pub span: Span,
+}
+
+impl Reduction {
+    /// Whether the place fits a study's axis: an angle or a length where a coordinate is swept, a
+    /// time where time runs (0 fits all). True without a place.
+    pub fn check_place(&self, axis: Dimension) -> Result<(), Diagnostic> {
+        match &self.place {
+            Some(place) if !place.fits(axis) => {
+                let found = place.dimension();
+                let message = format!("`at` needs {} here, found {}", axis.phrase(), found.phrase());
+                let error = Diagnostic::error("dimension", place.span(), message);
+                Err(error.hint("the place is a value of what the study goes over: its swept coordinate, or time"))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// One number of a run: arithmetic over reductions.
@@ -228,8 +256,23 @@ pub struct Reduction {
 pub struct Response {
     /// Over parameters and, as signal `i`, the value of `reductions[i]`.
     pub value: Expression,
-    /// The reductions in the order of their indices.
+    /// The reductions in the order of their indices; none where the value is one of parameters
+    /// alone (`l5 + l31`).
     pub reductions: Vec<Reduction>,
+}
+
+impl Response {
+    /// The text as written.
+    #[must_use]
+    pub fn written(&self) -> &str {
+        self.value.written()
+    }
+
+    /// Its place.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        self.value.span()
+    }
 }
 
 /// A comparison of two numbers of a run (`subject_to`).
@@ -243,4 +286,24 @@ pub struct Constraint {
     pub right: Expression,
     /// The reductions of both sides.
     pub reductions: Vec<Reduction>,
+}
+
+impl Constraint {
+    /// The text as written, both sides.
+    #[must_use]
+    pub fn written(&self) -> &str {
+        self.left.written()
+    }
+
+    /// Its place, both sides.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        self.left.span().to(self.right.span())
+    }
+
+    /// What both sides measure.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.left.dimension()
+    }
 }

@@ -279,10 +279,17 @@ impl<'r> Checker<'r> {
     }
 
     fn call(&mut self, name: &str, name_span: Span, arguments: &[Node], node: &Node) -> Option<Typed> {
-        if let (Some(kind), [curve]) = (ReductionKind::named(name), arguments) {
-            return self.reduction(kind, name_span, curve, node);
+        let reduction = ReductionKind::named(name);
+        if let (Some(kind), [curve, place @ ..]) = (reduction, arguments)
+            && arguments.len() == kind.arguments()
+        {
+            return self.reduction(kind, name_span, curve, place.first(), node);
         }
         let Some(function) = Function::named(name) else {
+            if let Some(kind) = reduction {
+                self.report(wrong_count(name, &kind.arguments().to_string(), arguments, node));
+                return None;
+            }
             let error = Diagnostic::error("unknown-function", name_span, format!("unknown function `{name}`"));
             let error = match self.names.resolve(name) {
                 Known::Unknown => error.did_you_mean(nearest(name, function_names())),
@@ -294,12 +301,7 @@ impl<'r> Checker<'r> {
         let (fewest, most) = function.arguments();
         if !(fewest..=most).contains(&arguments.len()) {
             let wanted = if most == usize::MAX { format!("{fewest} or more") } else { fewest.to_string() };
-            let message = format!(
-                "`{name}` takes {wanted} value{}, found {}",
-                if wanted == "1" { "" } else { "s" },
-                arguments.len()
-            );
-            self.report(Diagnostic::error("arguments", node.span, message));
+            self.report(wrong_count(name, &wanted, arguments, node));
             return None;
         }
         let start = self.ops.len();
@@ -376,9 +378,17 @@ impl<'r> Checker<'r> {
         }
     }
 
-    fn reduction(&mut self, kind: ReductionKind, name_span: Span, curve: &Node, node: &Node) -> Option<Typed> {
+    fn reduction(
+        &mut self,
+        kind: ReductionKind,
+        name_span: Span,
+        curve: &Node,
+        place: Option<&Node>,
+        node: &Node,
+    ) -> Option<Typed> {
         let Some(reductions) = self.reductions.as_deref_mut() else {
-            let message = format!("`{}` of one value reduces a curve to a number; that has no place here", kind.name());
+            let of = if kind == ReductionKind::At { "" } else { " of one value" };
+            let message = format!("`{}`{of} reduces a curve to a number; that has no place here", kind.name());
             let error = Diagnostic::error("reduction", name_span, message);
             let hint = match kind {
                 ReductionKind::Min | ReductionKind::Max => format!("of several values: `{}(a, b)`", kind.name()),
@@ -387,15 +397,54 @@ impl<'r> Checker<'r> {
             self.report(error.hint(hint));
             return None;
         };
-        let mut inner = Checker::new(self.names, self.diagnostics, None);
-        let typed = inner.node(curve)?;
-        let dimension = typed.dimension.unwrap_or(Dimension::NONE);
-        let program = inner.program();
-        let curve = Expression { program, dimension, span: curve.span, written: String::new() };
-        reductions.push(Reduction { kind, curve, span: node.span });
+        // Both are walked before giving up: each may have its own errors.
+        let curve = expression(curve, self.names, self.diagnostics);
+        let place = place.map(|place| expression(place, &mut OnlyParameters(self.names), self.diagnostics));
+        let (curve, place) = (curve?, if let Some(place) = place { Some(place?) } else { None });
+        let dimension = curve.dimension();
+        reductions.push(Reduction { kind, curve, place, span: node.span });
         let index = reductions.len() - 1;
         self.ops.push(Op::Signal(index as u32));
         Some(Typed { at: self.last(), dimension: Some(dimension), value: None })
+    }
+}
+
+/// A part of a value, compiled on its own.
+fn expression(node: &Node, names: &mut dyn Resolve, diagnostics: &mut Diagnostics) -> Option<Expression> {
+    let mut checker = Checker::new(names, diagnostics, None);
+    let typed = checker.node(node)?;
+    let dimension = typed.dimension.unwrap_or(Dimension::NONE);
+    let program = checker.program();
+    Some(Expression { program, dimension, span: node.span, written: String::new() })
+}
+
+/// Names without the signals among them.
+struct OnlyParameters<'r>(&'r mut dyn Resolve);
+
+impl Resolve for OnlyParameters<'_> {
+    fn resolve(&mut self, name: &str) -> Known {
+        match self.0.resolve(name) {
+            Known::Signal { .. } => Known::Unknown,
+            known => known,
+        }
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.0.names()
+    }
+
+    fn has_signals(&self) -> bool {
+        false
+    }
+}
+
+fn wrong_count(name: &str, wanted: &str, arguments: &[Node], node: &Node) -> Diagnostic {
+    let plural = if wanted == "1" { "" } else { "s" };
+    let message = format!("`{name}` takes {wanted} value{plural}, found {}", arguments.len());
+    let error = Diagnostic::error("arguments", node.span, message);
+    match name {
+        "at" => error.hint("a curve and a place: `at(drive.slide.force, 15 deg)`"),
+        _ => error,
     }
 }
 

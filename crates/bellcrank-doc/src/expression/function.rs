@@ -42,6 +42,7 @@ const REDUCTIONS: &[(&str, ReductionKind)] = &[
     ("range", ReductionKind::Range),
     ("first", ReductionKind::First),
     ("last", ReductionKind::Last),
+    ("at", ReductionKind::At),
 ];
 
 impl Function {
@@ -64,6 +65,11 @@ impl ReductionKind {
     #[must_use]
     pub fn name(self) -> &'static str {
         REDUCTIONS.iter().find(|(_, kind)| *kind == self).map_or("", |(name, _)| name)
+    }
+
+    /// How many arguments it takes: the curve, and the place of `at`.
+    pub(crate) fn arguments(self) -> usize {
+        if self == ReductionKind::At { 2 } else { 1 }
     }
 
     pub(crate) fn named(name: &str) -> Option<ReductionKind> {

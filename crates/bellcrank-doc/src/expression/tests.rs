@@ -239,6 +239,69 @@ fn signals_and_reductions() {
 }
 
 #[test]
+fn responses_of_parameters_alone() {
+    let (response, parameters, reports) = with(&file("\" l5 + 2*l5\""), |r, v| r.response(v, "`x`", &mut Curves));
+    let response = response.unwrap_or_else(|| panic!("{reports:?}"));
+    assert_eq!((response.value.eval(parameters.values(), &[]), response.reductions.len()), (0.95 + 1.9, 0));
+    assert_eq!((response.written(), response.value.dimension()), (" l5 + 2*l5", Dimension::LENGTH));
+    assert_eq!(response.span().end - response.span().start, "l5 + 2*l5".len());
+    let (constraint, parameters, reports) =
+        with(&file("\"l5 + l5 <= 1 m\""), |r, v| r.constraint(v, "`x`", &mut Curves));
+    let constraint = constraint.unwrap_or_else(|| panic!("{reports:?}"));
+    assert_eq!(constraint.left.eval(parameters.values(), &[]), 1.9);
+    assert_eq!((constraint.written(), constraint.dimension()), ("l5 + l5 <= 1 m", Dimension::LENGTH));
+    assert_eq!(constraint.span().end - constraint.span().start, constraint.written().len());
+    let (mass, parameters, _) = with(&file("\"m1\""), |r, v| r.response(v, "`x`", &mut Curves));
+    assert_eq!(mass.map(|m| m.value.eval(parameters.values(), &[])), Some(2.0));
+    let (number, ..) = with(&file("3"), |r, v| r.response(v, "`x`", &mut Curves));
+    assert_eq!(number.map(|n| n.value.as_constant()), Some(Some(3.0)));
+}
+
+#[test]
+fn values_at_a_place() {
+    let read = |text: &str| with(&file(&format!("\"{text}\"")), |r, v| r.response(v, "`x`", &mut Curves));
+    let (response, parameters, reports) = read("at(abs(drive.slide.force), a/2) - at(drive.slide.force, 0)");
+    let response = response.unwrap_or_else(|| panic!("{reports:?}"));
+    let [first, second] = response.reductions.as_slice() else { panic!("two reductions") };
+    assert_eq!((first.kind, first.kind.name()), (crate::ReductionKind::At, "at"));
+    assert_eq!(first.curve.eval(parameters.values(), &[0.0, -7.0]), 7.0);
+    let place = first.place.as_ref().unwrap();
+    assert_eq!(place.eval::<f64>(parameters.values(), &[]), std::f64::consts::PI / 12.0);
+    assert!(first.check_place(Dimension::ANGLE).is_ok() && second.check_place(Dimension::TIME).is_ok());
+    let fault = first.check_place(Dimension::TIME).unwrap_err();
+    assert_eq!(fault.message, "`at` needs a time here, found an angle");
+    assert_eq!(response.value.dimension(), Dimension::FORCE);
+    assert_eq!(response.value.eval(&[], &[7.0, 5.0]), 2.0);
+    assert!(read("max(drive.slide.force)").0.unwrap().reductions[0].place.is_none());
+
+    let faults = [
+        (
+            "at(drive.slide.force)",
+            "9:6 `at` takes 2 values, found 1 | a curve and a place: `at(drive.slide.force, 15 deg)`",
+        ),
+        (
+            "at(drive.slide.force, time)",
+            "9:28 `time` changes along a run and cannot be used here | only parameters can be used here",
+        ),
+        (
+            "at(drive.slide.force, last(time))",
+            "9:28 `last` of one value reduces a curve to a number; that has no place here | reductions stand in responses, objectives and limits of studies",
+        ),
+        ("mean(l5, a)", "9:6 `mean` takes 1 value, found 2 |"),
+    ];
+    for (text, report) in faults {
+        assert_eq!(read(text).2.first().map(|r| r.trim_end()), Some(report), "{text}");
+    }
+    let (_, _, reports) = with(&file("\"at(l5, a)\""), |r, v| r.any_quantity(v, "`x`", &mut Curves));
+    assert!(reports[0].starts_with("9:6 `at` reduces a curve to a number; that has no place here"), "{reports:?}");
+    let (_, _, reports) = read("max(drive.slide.force) ± 1 N");
+    assert!(reports[0].contains("| a tolerance belongs to a parameter"), "{reports:?}");
+    let tolerance =
+        with(&file("\"max(drive.slide.force) <= 9 N +/- 1 N\""), |r, v| r.constraint(v, "`x`", &mut Curves));
+    assert!(tolerance.2[0].contains("`+/-` sets the tolerance of a parameter"), "{:?}", tolerance.2);
+}
+
+#[test]
 fn comparisons() {
     let (constraint, parameters, reports) =
         with(&file("\"range(joint.slide.position) <= 200 mm\""), |r, v| r.constraint(v, "`x`", &mut Curves));

@@ -170,6 +170,8 @@ fn reduce(reduction: &bellcrank_doc::Reduction, parameters: &[f64], columns: &[V
         ReductionKind::Range => found.range,
         ReductionKind::First => found.first,
         ReductionKind::Last => found.last,
+        // The axis is not known here; NaN fails the check (`at = {...}` beside `signal` does the same).
+        ReductionKind::At => f64::NAN,
     }
 }
 
