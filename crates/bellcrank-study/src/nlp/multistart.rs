@@ -1,0 +1,191 @@
+//! Many starts, all distinct optima.
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+use super::problem::{Malformed, Problem};
+use super::solution::{Options, Solution, Status};
+use super::solver::solve_watched;
+use crate::sampling::unit;
+
+/// From where to start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multistart {
+    /// Number of starts, at least one: the first is the caller's, the others are a Latin hypercube in the bounds.
+    pub starts: usize,
+    /// Two seeds give two hypercubes.
+    pub seed: u64,
+    /// Where a variable has no bound, starts lie within this many times its magnitude (at least one) from the first.
+    pub spread: f64,
+    /// Optima nearer than this in every variable, over the range of the starts, are one.
+    pub distinct: f64,
+}
+
+impl Multistart {
+    /// So many starts with a spread of two and optima told apart at 1e-4.
+    #[must_use]
+    pub fn new(starts: usize, seed: u64) -> Self {
+        Self { starts, seed, spread: 2.0, distinct: 1e-4 }
+    }
+}
+
+/// One of the optima.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Optimum {
+    /// The best solution of its kind.
+    pub solution: Solution,
+    /// The starts that led here, from 0, ascending.
+    pub starts: Vec<usize>,
+}
+
+/// Solves from every start, one after the other, until `stop` says so. Distinct answers, best first: feasible before
+/// infeasible, then by objective (infeasible ones by violation). Starts without values are replaced, up to eight times each.
+/// Never empty.
+///
+/// # Errors
+///
+/// [`Malformed`] if bounds and start do not fit the problem.
+pub fn multistart<P: Problem + ?Sized>(
+    problem: &mut P,
+    start: &[f64],
+    plan: &Multistart,
+    options: &Options,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Result<Vec<Optimum>, Malformed> {
+    let ranges = ranges(problem, start, plan.spread)?;
+    let mut found = Vec::new();
+    for index in 0..plan.starts.max(1) {
+        if index > 0 && stop() {
+            break;
+        }
+        found.push((index, solve_one(problem, start, &ranges, plan, options, index, stop)?));
+    }
+    Ok(distinct(found, &ranges, plan, options))
+}
+
+/// [`multistart`] on several threads, each start on a clone of the problem of its own: the answers are the same for any
+/// number of threads.
+///
+/// # Errors
+///
+/// [`Malformed`] if bounds and start do not fit the problem.
+pub fn multistart_parallel<P: Problem + Clone + Send>(
+    problem: &P,
+    start: &[f64],
+    plan: &Multistart,
+    options: &Options,
+    threads: usize,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Result<Vec<Optimum>, Malformed> {
+    let ranges = ranges(problem, start, plan.spread)?;
+    let count = plan.starts.max(1);
+    let jobs: Mutex<Vec<(usize, P)>> = Mutex::new((0..count).rev().map(|i| (i, problem.clone())).collect());
+    let found = Mutex::new(Vec::new());
+    let work = || {
+        while let Some((index, mut own)) = take(&jobs) {
+            if index == 0 || !stop() {
+                let solution = solve_one(&mut own, start, &ranges, plan, options, index, stop);
+                found.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, solution));
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        (1..threads.clamp(1, count)).for_each(|_| drop(scope.spawn(work)));
+        work();
+    });
+    let mut found = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    found.sort_by_key(|(index, _)| *index);
+    let found = found.into_iter().map(|(index, solution)| Ok((index, solution?)));
+    Ok(distinct(found.collect::<Result<_, Malformed>>()?, &ranges, plan, options))
+}
+
+fn take<T>(jobs: &Mutex<Vec<T>>) -> Option<T> {
+    jobs.lock().unwrap_or_else(std::sync::PoisonError::into_inner).pop()
+}
+
+/// The interval of the starts for each variable.
+fn ranges<P: Problem + ?Sized>(problem: &P, start: &[f64], spread: f64) -> Result<Vec<(f64, f64)>, Malformed> {
+    let (bounds, variables) = (problem.bounds(), problem.variables());
+    if bounds.len() != variables {
+        return Err(Malformed::Bounds { found: bounds.len(), variables });
+    }
+    if start.len() != variables {
+        return Err(Malformed::Start { found: start.len(), variables });
+    }
+    let range = |(x, &(l, u)): (&f64, &(f64, f64))| {
+        let reach = spread * x.abs().max(1.0);
+        (if l.is_finite() { l } else { x.min(u) - reach }, if u.is_finite() { u } else { x.max(l) + reach })
+    };
+    Ok(start.iter().zip(bounds).map(range).collect())
+}
+
+fn solve_one<P: Problem + ?Sized>(
+    problem: &mut P,
+    start: &[f64],
+    ranges: &[(f64, f64)],
+    plan: &Multistart,
+    options: &Options,
+    index: usize,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Result<Solution, Malformed> {
+    let watch = &mut |_: &_| if stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let mut solution = solve_watched(problem, &place(start, ranges, plan, index, 0), options, watch)?;
+    for attempt in 1..=8 {
+        if index == 0 || solution.status != Status::UndefinedStart || stop() {
+            break;
+        }
+        let evaluations = solution.evaluations;
+        solution = solve_watched(problem, &place(start, ranges, plan, index, attempt), options, watch)?;
+        solution.evaluations += evaluations;
+    }
+    Ok(solution)
+}
+
+/// Start `index`: a Latin hypercube of all starts; replacements are random.
+fn place(start: &[f64], ranges: &[(f64, f64)], plan: &Multistart, index: usize, attempt: u64) -> Vec<f64> {
+    if index == 0 {
+        return start.to_vec();
+    }
+    let share = |j: usize| {
+        if attempt > 0 { unit(plan.seed ^ attempt, index as u64, j as u64) } else { stratum(plan, index - 1, j) }
+    };
+    ranges.iter().enumerate().map(|(j, &(l, u))| l + (u - l) * share(j)).collect()
+}
+
+fn stratum(plan: &Multistart, row: usize, dimension: usize) -> f64 {
+    unit(plan.seed, row as u64, dimension as u64)
+}
+
+/// Groups equal answers and sorts the groups.
+fn distinct(
+    mut found: Vec<(usize, Solution)>,
+    ranges: &[(f64, f64)],
+    plan: &Multistart,
+    options: &Options,
+) -> Vec<Optimum> {
+    if found.iter().any(|(_, s)| s.status != Status::UndefinedStart) {
+        found.retain(|(_, s)| s.status != Status::UndefinedStart);
+    }
+    let rank = |s: &Solution| {
+        let feasible = s.is_feasible(&options.tolerances);
+        (!feasible, if feasible { s.objective } else { s.violation })
+    };
+    found.sort_by(|(i, a), (j, b)| {
+        let (a, b) = (rank(a), rank(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(i.cmp(j))
+    });
+    let mut optima: Vec<Optimum> = Vec::new();
+    for (index, solution) in found {
+        match optima.iter_mut().find(|o| is_same(&o.solution, &solution, ranges, plan)) {
+            Some(optimum) => optimum.starts.push(index),
+            None => optima.push(Optimum { solution, starts: vec![index] }),
+        }
+    }
+    optima.iter_mut().for_each(|o| o.starts.sort_unstable());
+    optima
+}
+
+fn is_same(a: &Solution, b: &Solution, ranges: &[(f64, f64)], plan: &Multistart) -> bool {
+    let near = |((a, b), (l, u)): ((&f64, &f64), &(f64, f64))| (a - b).abs() <= plan.distinct * (u - l);
+    a.x.iter().zip(&b.x).zip(ranges).all(near)
+}

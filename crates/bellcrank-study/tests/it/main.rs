@@ -1,0 +1,5 @@
+//! The crate as its users see it, against published optima, indices and tables.
+
+mod cases;
+mod hock_schittkowski;
+mod jet;
