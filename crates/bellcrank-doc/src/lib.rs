@@ -12,6 +12,8 @@
 //! 5. [`Expression`]: a value with its names resolved and its dimension checked, evaluated over any
 //!    [`Number`]. [`Response`], [`Constraint`] and [`Condition`] are what studies ask.
 //! 6. [`ParameterSet`]: named values that depend on each other, and their [`Override`]s.
+//!    [`rewrite_parameters`] writes other values into the text of a file, [`written_value`] a value in
+//!    a unit.
 //! 7. [`Reader`] and [`Fields`]: what a schema asks of a table, with all reports of what it did not
 //!    get.
 //!
@@ -55,6 +57,7 @@ mod overrides;
 mod parameters;
 mod quantity;
 mod render;
+mod rewrite;
 mod source;
 mod text;
 mod toml;
@@ -75,6 +78,7 @@ pub use overrides::Override;
 pub use parameters::{Distribution, Parameter, ParameterSet, Spread};
 pub use quantity::written_value;
 pub use render::RENDER_LIMIT;
+pub use rewrite::{RewriteError, rewrite_parameters};
 pub use source::{Location, SourceId, Sources, Span, Spanned};
 pub use text::{MAX_BYTES, check_size, decode, load};
 pub use toml::parse;

@@ -1,5 +1,6 @@
 //! `[parameters]`: named values that depend on each other.
 
+mod evaluate;
 mod order;
 mod read;
 mod spread;
@@ -10,7 +11,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::expression::{HUGE, Known, Purpose, Tolerance, half_width, nominal};
 use crate::overrides::Override;
-use crate::{Diagnostic, Diagnostics, Dimension, Expression, NoSignals, Number, Scope, Span, Table, nearest};
+use crate::{Diagnostic, Diagnostics, Dimension, Expression, NoSignals, Scope, Span, Table, nearest};
 
 pub use spread::{Distribution, Spread};
 
@@ -102,19 +103,6 @@ impl ParameterSet {
         }
         changed.settle(&mut diagnostics);
         if diagnostics.has_errors() { Err(diagnostics) } else { Ok((changed, diagnostics)) }
-    }
-
-    /// All values, with those of `fixed` (index, value) in place of their definitions and all that
-    /// depend on them following. Derivatives: seed the chosen ones in `fixed`.
-    #[must_use]
-    pub fn evaluate<N: Number>(&self, fixed: &[(usize, N)]) -> Vec<N> {
-        let mut values = vec![N::from(f64::NAN); self.all.len()];
-        let given: HashMap<usize, N> = fixed.iter().copied().collect();
-        for &i in &self.order {
-            let own = || self.all[i].expression.eval(&values, &[]);
-            values[i] = given.get(&i).copied().unwrap_or_else(own);
-        }
-        values
     }
 
     /// What an expression learns of a parameter.

@@ -31,29 +31,52 @@ pub(super) struct Program {
 
 impl Program {
     pub(super) fn eval<N: Number>(&self, parameters: &[N], signals: &[N]) -> N {
-        match self.ops.len() {
-            0 => N::from(f64::NAN),
-            n => self.at(n as At - 1, parameters, signals),
+        match self.ops.last() {
+            Some(&op) => Given { ops: &self.ops, parameters, signals }.of(op),
+            None => N::from(f64::NAN),
+        }
+    }
+}
+
+/// What an evaluation looks things up in.
+struct Given<'a, N> {
+    ops: &'a [Op],
+    parameters: &'a [N],
+    signals: &'a [N],
+}
+
+impl<N: Number> Given<'_, N> {
+    /// Constants and names end here, without a call; most expressions are little else.
+    #[inline(always)]
+    fn of(&self, op: Op) -> N {
+        let given = |all: &[N], i: u32| all.get(i as usize).copied().unwrap_or_else(|| N::from(f64::NAN));
+        match op {
+            Op::Constant(c) => N::from(c),
+            Op::Parameter(i) => given(self.parameters, i),
+            Op::Signal(i) => given(self.signals, i),
+            arithmetic => self.arithmetic(arithmetic),
         }
     }
 
-    /// The value of one operation. Recursion is bounded by the parser's depth of trees.
-    pub(super) fn at<N: Number>(&self, at: At, parameters: &[N], signals: &[N]) -> N {
-        let value = |at: At| self.at(at, parameters, signals);
-        let given = |all: &[N], i: u32| all.get(i as usize).copied().unwrap_or_else(|| N::from(f64::NAN));
-        match self.ops.get(at as usize).copied().unwrap_or(Op::Constant(f64::NAN)) {
-            Op::Constant(c) => N::from(c),
-            Op::Parameter(i) => given(parameters, i),
-            Op::Signal(i) => given(signals, i),
-            Op::Negate(a) => -value(a),
-            Op::Add(a, b) => value(a) + value(b),
-            Op::Subtract(a, b) => value(a) - value(b),
-            Op::Multiply(a, b) => value(a) * value(b),
-            Op::Divide(a, b) => value(a) / value(b),
-            Op::PowerWhole(a, n) => value(a).powi(n),
-            Op::Power(a, b) => value(a).powf(value(b)),
-            Op::One(function, a) => one(function, value(a)),
-            Op::Two(function, a, b) => two(function, value(a), value(b)),
+    #[inline(always)]
+    fn at(&self, at: At) -> N {
+        self.of(self.ops.get(at as usize).copied().unwrap_or(Op::Constant(f64::NAN)))
+    }
+
+    /// Recursion is bounded by the parser's depth of trees.
+    #[inline(never)]
+    fn arithmetic(&self, op: Op) -> N {
+        match op {
+            Op::Constant(_) | Op::Parameter(_) | Op::Signal(_) => N::from(f64::NAN),
+            Op::Negate(a) => -self.at(a),
+            Op::Add(a, b) => self.at(a) + self.at(b),
+            Op::Subtract(a, b) => self.at(a) - self.at(b),
+            Op::Multiply(a, b) => self.at(a) * self.at(b),
+            Op::Divide(a, b) => self.at(a) / self.at(b),
+            Op::PowerWhole(a, n) => self.at(a).powi(n),
+            Op::Power(a, b) => self.at(a).powf(self.at(b)),
+            Op::One(function, a) => one(function, self.at(a)),
+            Op::Two(function, a, b) => two(function, self.at(a), self.at(b)),
         }
     }
 }

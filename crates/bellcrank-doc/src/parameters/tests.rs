@@ -277,3 +277,27 @@ fn overrides_of_tolerances() {
         "--set:1:13 the tolerance of `l3` is negative | it is a width: 0 or more"
     );
 }
+
+#[test]
+fn values_into_what_is_there() {
+    let (set, _) = read(LIFT);
+    let mut values = vec![9.0; 3];
+    set.evaluate_into(&[(1, 0.2), (99, 1.0)], &mut values);
+    assert_eq!(values, [0.2, 0.2, 19.84, 3.0, 0.101]);
+    let place = values.as_ptr();
+    set.evaluate_into(&[(1, 0.3), (1, 0.4), (0, 0.1)], &mut values);
+    assert_eq!(values, [0.1, 0.4, 19.84, 3.0, 0.1 / 2.0 + 1e-3]);
+    assert_eq!(place, values.as_ptr());
+    // A value that is given stands, whatever it is.
+    set.evaluate_into(&[(3, f64::NAN), (0, f64::NAN)], &mut values);
+    assert!(values[3].is_nan() && values[4].is_nan() && values[1] == 0.16);
+}
+
+#[test]
+fn what_follows_what() {
+    let (set, _) = read(LIFT);
+    assert_eq!((set.dependents(1), set.dependents(0), set.dependents(4)), (vec![0, 4], vec![4], vec![]));
+    assert_eq!((set.dependencies(4), set.dependencies(0), set.dependencies(2)), (vec![0, 1], vec![1], vec![]));
+    assert!(set.depends_on(4, 1) && !set.depends_on(1, 4) && !set.depends_on(1, 1));
+    assert_eq!((set.dependents(99), set.dependencies(99)), (vec![], vec![]));
+}

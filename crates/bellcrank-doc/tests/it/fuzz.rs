@@ -1,8 +1,8 @@
 //! Whatever is given: no panic, no hang, and every place inside its text.
 
 use bellcrank_doc::{
-    Diagnostics, Dimension, Fields, NoSignals, Override, ParameterSet, Reader, Signals, Sources, Table, Value,
-    ValueKind, load, nearest, parse, unit,
+    Diagnostics, Dimension, Fields, NoSignals, Override, ParameterSet, Reader, Signals, SourceId, Sources, Table,
+    Value, ValueKind, load, nearest, parse, rewrite_parameters, unit,
 };
 use proptest::prelude::*;
 
@@ -41,6 +41,21 @@ fn read(bytes: &[u8]) {
     diagnostics.append(reader.finish());
     diagnostics.sort();
     check(&diagnostics, &sources);
+    rewrite(&sources, id, &parameters);
+}
+
+/// A text that is given back can be read, whatever was asked for.
+fn rewrite(sources: &Sources, id: SourceId, parameters: &ParameterSet) {
+    for (parameter, value) in parameters.all().iter().zip(parameters.values()).take(1) {
+        let other = parameter.value_as_written(value + 1.0, "");
+        for new in other.iter().chain([&parameter.written]) {
+            let Ok(text) = rewrite_parameters(sources, id, &[(&parameter.name, new)]) else { continue };
+            let (mut sources, mut diagnostics) = (Sources::new(), Diagnostics::new());
+            let id = sources.add("again", text);
+            parse(&sources, id, &mut diagnostics);
+            assert!(!diagnostics.has_errors());
+        }
+    }
 }
 
 fn read_table(reader: &Reader<'_>, table: &Table, sources: &Sources) {
@@ -205,6 +220,28 @@ proptest! {
         read(format!("[parameters]\na = \"1 m\"\nb = 2\n[v]\nx = \"{text}\"\ny = '''\n{text}'''").as_bytes());
         let _ = unit(&text);
         let _ = Override::from_argument(&mut Sources::new(), &text);
+    }
+
+    #[test]
+    fn rewritten_lifts(factor in 0.9..1.1_f64, pick in 0..11_usize) {
+        let mut sources = Sources::new();
+        let mut read = |text: &str| {
+            let id = sources.add("lift.toml", text);
+            let mut diagnostics = Diagnostics::new();
+            let tree = parse(&sources, id, &mut diagnostics);
+            let table = tree.get("parameters").and_then(|e| e.value.as_table()).unwrap();
+            (sources.clone(), id, ParameterSet::read(table, &mut diagnostics))
+        };
+        let (before, id, parameters) = read(LIFT);
+        let parameter = &parameters.all()[pick];
+        let wanted = parameters.values()[pick] * factor;
+        let value = parameter.value_as_written(wanted, "mm").unwrap();
+        let text = rewrite_parameters(&before, id, &[(&parameter.name, &value)]).unwrap();
+        let (_, _, after) = read(&text);
+        prop_assert!((after.values()[pick] - wanted).abs() <= wanted * f64::EPSILON, "{value}");
+        let lines = LIFT.lines().zip(text.lines());
+        prop_assert_eq!(lines.filter(|(a, b)| a != b).count(), 1);
+        prop_assert_eq!(LIFT.lines().count(), text.lines().count());
     }
 
     #[test]
