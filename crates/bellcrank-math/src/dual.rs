@@ -119,6 +119,12 @@ impl<const N: usize> Real for Dual<N> {
     fn abs(self) -> Self {
         if self.re < 0.0 { -self } else { self }
     }
+    fn with_value(self, x: f64) -> Self {
+        Self { re: x, eps: self.eps }
+    }
+    fn is_zero(self) -> bool {
+        self.re == 0.0 && self.eps.iter().all(|e| *e == 0.0)
+    }
 }
 
 #[cfg(test)]

@@ -37,6 +37,10 @@ pub trait Real:
     fn exp(self) -> Self;
     /// Absolute value; the derivative at 0 is that of +x.
     fn abs(self) -> Self;
+    /// The number `x` with the derivatives of `self`.
+    fn with_value(self, x: f64) -> Self;
+    /// Zero, and so is every derivative.
+    fn is_zero(self) -> bool;
     /// Zero.
     fn zero() -> Self {
         Self::from_f64(0.0)
@@ -71,5 +75,11 @@ impl Real for f64 {
     }
     fn abs(self) -> Self {
         self.abs()
+    }
+    fn with_value(self, x: f64) -> Self {
+        x
+    }
+    fn is_zero(self) -> bool {
+        self == 0.0
     }
 }

@@ -7,7 +7,8 @@ mod build;
 #[expect(dead_code, reason = "the tests use more of it")]
 mod machines;
 
-use bellcrank_multibody::{Actuation, Engine, engine_for};
+use bellcrank_math::Real;
+use bellcrank_multibody::{Actuation, Engine, Prescription, Readings, Seeded, engine_for};
 use build::coordinate;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -40,6 +41,60 @@ fn lift(c: &mut Criterion) {
     group.finish();
 }
 
+/// Derivatives of the same stroke with respect to four numbers, beside the plain stroke.
+fn derivatives(c: &mut Criterion) {
+    let b = machines::lift_blueprint([19.84, 20.8, 19.4]);
+    let mut e = engine_for(true, &b).expect("builds");
+    e.assemble(&[]).expect("assembles");
+    let (lever, slide) = (coordinate(2), coordinate(1));
+    e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives");
+    let mut seeded = b.map(Seeded::from_f64);
+    for (i, body) in [1, 3, 5].into_iter().enumerate() {
+        seeded.bodies[body].mass = Seeded::variable(seeded.bodies[body].mass.re, i);
+    }
+    seeded.gravity[1] = Seeded::variable(seeded.gravity[1].re, 3);
+    e.seed(&seeded).expect("builds");
+    let angle = |i: usize| (-30.0 + 60.0 * i as f64 / (POSITIONS - 1) as f64).to_radians();
+    one(&mut *e, angle(0), 0.02);
+    let mut group = c.benchmark_group("lift");
+    group.throughput(Throughput::Elements(POSITIONS as u64));
+    group.bench_function("stroke with four derivatives", |b| {
+        b.iter(|| {
+            let mut sum = 0.0;
+            for i in 0..POSITIONS {
+                one(&mut *e, angle(i), 0.02);
+                let constant = |x: f64| [Seeded::from_f64(x)];
+                let at = Prescription {
+                    time: Seeded::zero(),
+                    position: &constant(angle(i)),
+                    velocity: &constant(0.02),
+                    acceleration: &constant(0.0),
+                };
+                e.differentiate(&at, &mut |_, _| {}).expect("regular");
+                sum += e.derivatives().expect("seeded").drive(0).eps[0];
+            }
+            sum
+        });
+    });
+    group.finish();
+}
+
+/// What a new design costs before its first position: build, assemble, prepare.
+fn fresh(c: &mut Criterion) {
+    let b = machines::lift_blueprint([19.84, 20.8, 19.4]);
+    let (lever, slide) = (coordinate(2), coordinate(1));
+    let mut group = c.benchmark_group("fresh lift");
+    group.bench_function("build", |bench| bench.iter(|| engine_for(true, &b).expect("builds")));
+    let mut e = engine_for(true, &b).expect("builds");
+    group.bench_function("assemble", |bench| bench.iter(|| e.assemble(&[(lever, -0.5)]).expect("assembles")));
+    group.bench_function("prepare", |bench| {
+        bench.iter(|| {
+            e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives")
+        });
+    });
+    group.finish();
+}
+
 fn chains(c: &mut Criterion) {
     let mut group = c.benchmark_group("n-four-bar");
     group.sample_size(10);
@@ -66,5 +121,5 @@ fn chains(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, lift, chains);
+criterion_group!(benches, lift, derivatives, fresh, chains);
 criterion_main!(benches);

@@ -164,7 +164,7 @@ impl<'a, S: Space> Builder<'a, S> {
         let center = frame.at(S::vector(&b.center));
         self.bodies[body] = Some(Carried { node, frame, center });
         let about_center = S::turn_inertia(&S::inertia(&b.inertia), &frame.rotation);
-        let massive = b.mass.value() != 0.0 || b.inertia.iter().flatten().any(|x| x.value() != 0.0);
+        let massive = !b.mass.is_zero() || b.inertia.iter().flatten().any(|x| !x.is_zero());
         if massive {
             self.nodes[node].inertia = Some(Inertia { mass: b.mass, center, about_center });
         }

@@ -401,9 +401,9 @@ impl<S: Space> LinkMotion<S> {
         let rate = x.d.dot(self.d_dot) / l;
         (rate, (self.d_dot.dot(self.d_dot) + x.d.dot(self.d_ddot) - rate * rate) / l)
     }
-    /// Derivative of the relative spin's component along axis `i` of the first frame.
-    pub(crate) fn spin_rates(&self, x: &LinkPose<S>, i: usize) -> S::T {
-        self.about(S::angular(&S::spread(S::column(&x.R[0], i))), 0).1
+    /// The relative spin's component along axis `i` of the first frame, and its derivative.
+    pub(crate) fn spin_rates(&self, x: &LinkPose<S>, i: usize) -> (S::T, S::T) {
+        self.about(S::angular(&S::spread(S::column(&x.R[0], i))), 0)
     }
     /// Rates and accelerations of roll, pitch and yaw from the relative spin in the first frame.
     pub(crate) fn attitude_rates(&self, x: &LinkPose<S>) -> [(S::T, S::T); 3] {

@@ -4,7 +4,8 @@
 //! each position [`Engine::move_to`], [`Engine::set_rates`], [`Engine::solve_forces`]. Asking for a
 //! stage that was not computed is a debug failure.
 
-use crate::{BodyId, Coordinate, ForceId, JointId, MechanismError};
+use crate::{Blueprint, BodyId, BuildError, Coordinate, ForceId, JointId, MechanismError};
+use bellcrank_math::Dual;
 
 /// Which coordinates are prescribed in position, which in rate, and which carry the efforts.
 ///
@@ -46,70 +47,70 @@ pub struct Moved {
 
 /// Position, velocity and acceleration of a coordinate, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reading {
+pub struct Reading<T = f64> {
     /// m or rad.
-    pub position: f64,
+    pub position: T,
     /// m/s or rad/s.
-    pub velocity: f64,
+    pub velocity: T,
     /// m/s² or rad/s².
-    pub acceleration: f64,
+    pub acceleration: T,
 }
 
 /// Motion of a point, world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PointMotion {
+pub struct PointMotion<T = f64> {
     /// m.
-    pub position: [f64; 3],
+    pub position: [T; 3],
     /// m/s.
-    pub velocity: [f64; 3],
+    pub velocity: [T; 3],
     /// m/s².
-    pub acceleration: [f64; 3],
+    pub acceleration: [T; 3],
 }
 
 /// Motion of a body, world axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BodyMotion {
+pub struct BodyMotion<T = f64> {
     /// Origin of the body frame, m.
-    pub origin: [f64; 3],
+    pub origin: [T; 3],
     /// Rotation matrix (rows), body to world.
-    pub rotation: [[f64; 3]; 3],
+    pub rotation: [[T; 3]; 3],
     /// Angular velocity, rad/s.
-    pub omega: [f64; 3],
+    pub omega: [T; 3],
     /// Angular acceleration, rad/s².
-    pub alpha: [f64; 3],
+    pub alpha: [T; 3],
     /// Motion of the centre of mass.
-    pub center: PointMotion,
+    pub center: PointMotion<T>,
 }
 
 /// Force and moment, world axes, N and N·m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wrench {
+pub struct Wrench<T = f64> {
     /// N.
-    pub force: [f64; 3],
+    pub force: [T; 3],
     /// N·m.
-    pub moment: [f64; 3],
+    pub moment: [T; 3],
 }
 
 /// A force element's own outputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ForceOutput {
+pub struct ForceOutput<T = f64> {
     /// Length of a spring, coordinate of a joint element, m or rad; `NaN` where there is none.
-    pub length: f64,
+    pub length: T,
     /// Its rate; `NaN` where there is none.
-    pub rate: f64,
+    pub rate: T,
     /// Effort: along the length or coordinate; the magnitude for forces, torques and bushings, N or N·m.
-    pub effort: f64,
+    pub effort: T,
     /// Force (N, or N·m for a torque) on the point or body it acts on (the second of two), world axes.
-    pub vector: [f64; 3],
+    pub vector: [T; 3],
 }
 
 /// Energies, J. Potential energy counts weights and springs with constant data.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energy {
+pub struct Energy<T = f64> {
     /// Kinetic.
-    pub kinetic: f64,
+    pub kinetic: T,
     /// Potential.
-    pub potential: f64,
+    pub potential: T,
 }
 
 /// Trust in the present solution.
@@ -168,8 +169,55 @@ pub struct Equilibrium {
     pub stable: bool,
 }
 
+/// Derivatives carried at once.
+pub const SEEDS: usize = 4;
+
+/// A number with its derivatives with respect to as many seeds.
+pub type Seeded = Dual<SEEDS>;
+
+/// What a solved position answers: plain numbers, or numbers with exact derivatives ([`Seeded`]).
+pub trait Readings<T> {
+    /// Present time, s.
+    fn time(&self) -> T;
+    /// Number of coordinates that a joint shows.
+    fn coordinates_of(&self, joint: JointId) -> usize;
+    /// Motion of a joint coordinate.
+    fn coordinate(&self, c: Coordinate) -> Reading<T>;
+    /// Motion of a point given in body axes, m.
+    fn point(&self, body: BodyId, at: [T; 3]) -> PointMotion<T>;
+    /// Motion of a body.
+    fn body(&self, body: BodyId) -> BodyMotion<T>;
+    /// What the first body puts on the second through the joint, about the origin of the second place.
+    /// A coupler answers its effort on b as the first component of the force.
+    fn reaction(&self, joint: JointId) -> Wrench<T>;
+    /// Effort along effort coordinate `i`, positive when it pushes the coordinate up, N or N·m.
+    fn drive(&self, i: usize) -> T;
+    /// A force element's outputs.
+    fn force(&self, force: ForceId) -> ForceOutput<T>;
+    /// Energies.
+    fn energy(&self) -> Energy<T>;
+    /// Trust.
+    fn checks(&self) -> Checks;
+}
+
+/// Asked at a position whose rates are known for the values of [`crate::Value::Input`].
+pub type Inputs<'a, T> = &'a mut dyn FnMut(&dyn Readings<T>, &mut [T]);
+
+/// What is prescribed at a position, with its derivatives; in the order of the [`Actuation`].
+#[derive(Clone, Copy, Debug)]
+pub struct Prescription<'a> {
+    /// s.
+    pub time: Seeded,
+    /// m or rad.
+    pub position: &'a [Seeded],
+    /// m/s or rad/s.
+    pub velocity: &'a [Seeded],
+    /// m/s² or rad/s².
+    pub acceleration: &'a [Seeded],
+}
+
 /// A mechanism in motion.
-pub trait Engine: Send {
+pub trait Engine: Readings<f64> + Send {
     /// Finds a position that closes all loops near the starts; coordinates in `hold` are met exactly.
     fn assemble(&mut self, hold: &[(Coordinate, f64)]) -> Result<Assembled, MechanismError>;
     /// Degrees of freedom at the present position.
@@ -182,36 +230,26 @@ pub trait Engine: Send {
     fn set_rates(&mut self, velocity: &[f64], acceleration: &[f64]) -> Result<Moved, MechanismError>;
     /// Drive efforts and reactions. `inputs` is asked once, after the rates are known, for the values of
     /// [`crate::Value::Input`].
-    fn solve_forces(&mut self, inputs: &mut dyn FnMut(&dyn Engine, &mut [f64])) -> Result<(), MechanismError>;
+    fn solve_forces(&mut self, inputs: Inputs<'_, f64>) -> Result<(), MechanismError>;
     /// Equilibrium at rest with the coordinates in `hold` fixed; afterwards the position is there and the
     /// reactions are solved.
     fn equilibrium(
         &mut self,
         hold: &[(Coordinate, f64)],
-        inputs: &mut dyn FnMut(&dyn Engine, &mut [f64]),
+        inputs: Inputs<'_, f64>,
     ) -> Result<Equilibrium, MechanismError>;
     /// For each joint, whether fx, fy, fz, mx, my, mz of its reaction are determined by equilibrium alone.
     fn uniqueness(&mut self) -> Vec<[bool; 6]>;
 
-    /// Present time, s.
-    fn time(&self) -> f64;
-    /// Number of coordinates that a joint shows.
-    fn coordinates_of(&self, joint: JointId) -> usize;
-    /// Motion of a joint coordinate.
-    fn coordinate(&self, c: Coordinate) -> Reading;
-    /// Motion of a point given in body axes, m.
-    fn point(&self, body: BodyId, at: [f64; 3]) -> PointMotion;
-    /// Motion of a body.
-    fn body(&self, body: BodyId) -> BodyMotion;
-    /// What the first body puts on the second through the joint, about the origin of the second place.
-    /// A coupler answers its effort on b as the first component of the force.
-    fn reaction(&self, joint: JointId) -> Wrench;
-    /// Effort along effort coordinate `i`, positive when it pushes the coordinate up, N or N·m.
-    fn drive(&self, i: usize) -> f64;
-    /// A force element's outputs.
-    fn force(&self, force: ForceId) -> ForceOutput;
-    /// Energies.
-    fn energy(&self) -> Energy;
-    /// Trust.
-    fn checks(&self) -> Checks;
+    /// The same machine with the derivatives of its numbers: what [`Engine::differentiate`] carries through the
+    /// loops. Its plain values must be those of the machine.
+    fn seed(&mut self, blueprint: &Blueprint<Seeded>) -> Result<(), BuildError>;
+    /// Exact derivatives at the present position, solved before up to the rates or the forces: no factorization in
+    /// dual numbers, but one right-hand side a seed for the matrices of the position (implicit function theorem).
+    ///
+    /// # Errors
+    /// Where the position is singular, an input is not finite, or friction does not settle.
+    fn differentiate(&mut self, at: &Prescription<'_>, inputs: Inputs<'_, Seeded>) -> Result<(), MechanismError>;
+    /// What [`Engine::differentiate`] found last; `None` before [`Engine::seed`].
+    fn derivatives(&self) -> Option<&dyn Readings<Seeded>>;
 }

@@ -25,8 +25,8 @@ pub use blueprint::{
     Axes, Blueprint, Body, BodyId, Coordinate, Force, ForceId, Joint, JointId, JointKind, Place, Value,
 };
 pub use engine::{
-    Actuation, Assembled, BodyMotion, Checks, Energy, Engine, Equilibrium, ForceOutput, Freedom, Moved, PointMotion,
-    Reading, Redundancy, Wrench,
+    Actuation, Assembled, BodyMotion, Checks, Energy, Engine, Equilibrium, ForceOutput, Freedom, Inputs, Moved,
+    PointMotion, Prescription, Reading, Readings, Redundancy, SEEDS, Seeded, Wrench,
 };
 pub use error::{BuildError, MechanismError, System};
 pub use mechanism::Mechanism;

@@ -1,8 +1,9 @@
 //! A blueprint's forces, resolved against the tree.
 
 use crate::builder::frame_of;
+use crate::constraint::Measure;
 use crate::mechanism::{Carried, Source};
-use crate::{Axes, Blueprint, BuildError, Coordinate, Force, Place, Value};
+use crate::{Axes, Blueprint, BuildError, Coordinate, Force, Joint, Place, Value};
 use bellcrank_math::{Frame, Space};
 
 /// A frame on a node.
@@ -16,6 +17,8 @@ pub(crate) struct End<S: Space> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Friction<T> {
     pub(crate) coordinate: Coordinate,
+    /// What the coordinate is on the joint: the normal force is across it.
+    pub(crate) along: Measure,
     pub(crate) source: Source,
     pub(crate) coulomb: Value<T>,
     pub(crate) static_coefficient: Option<Value<T>>,
@@ -76,19 +79,24 @@ pub(crate) fn elements_of<S: Space>(
     bodies: &[Carried<S>],
     sources: &[Vec<Source>],
 ) -> Result<Vec<Element<S>>, BuildError> {
-    let resolve = Resolve { bodies, sources };
+    let resolve = Resolve { bodies, sources, joints: &blueprint.joints };
     blueprint.forces.iter().map(|f| resolve.element(f)).collect()
 }
 
 struct Resolve<'a, S: Space> {
     bodies: &'a [Carried<S>],
     sources: &'a [Vec<Source>],
+    joints: &'a [Joint<S::T>],
 }
 
 impl<S: Space> Resolve<'_, S> {
     fn end(&self, place: &Place<S::T>) -> End<S> {
         let body = &self.bodies[place.body.0];
         End { node: body.node, frame: body.frame.then(&frame_of(place)) }
+    }
+    fn along(&self, c: &Coordinate) -> Measure {
+        let joint = self.joints.get(c.joint.0);
+        joint.map_or(Measure::None, |joint| Measure::of::<S>(&joint.kind, c.index))
     }
     fn source(&self, c: &Coordinate) -> Result<Source, BuildError> {
         let found = self.sources.get(c.joint.0).and_then(|s| s.get(c.index)).copied();
@@ -127,6 +135,7 @@ impl<S: Space> Resolve<'_, S> {
             Force::Friction { coordinate, coulomb, static_coefficient, stribeck_velocity, viscous, radius } => {
                 Element::Friction(Friction {
                     coordinate: *coordinate,
+                    along: self.along(coordinate),
                     source: self.source(coordinate)?,
                     coulomb: *coulomb,
                     static_coefficient: *static_coefficient,

@@ -160,7 +160,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let effort =
             (actuation.effort != actuation.rate).then(|| self.system_for(&actuation.effort, freedom)).transpose()?;
         self.reset_unwrapped();
-        let targets = actuation.position.iter().map(|c| self.read_coordinate(*c).position).collect();
+        let targets = actuation.position.iter().map(|c| self.solved().coordinate(*c).position).collect();
         self.drive = vec![0.0; actuation.effort.len()];
         self.history.clear();
         self.prepared = Some(Prepared {

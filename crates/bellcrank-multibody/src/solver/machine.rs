@@ -2,7 +2,9 @@
 
 use super::jacobian::Rows;
 use super::position::History;
+use super::readings::Solved;
 use super::system::LinearSystem;
+use super::tangent::Tangent;
 use crate::constraint::Measure;
 use crate::forces::Output;
 use crate::kinematics;
@@ -11,7 +13,8 @@ use crate::topology::Motion;
 use crate::workspace::NodeState;
 use crate::{
     Actuation, Assembled, Blueprint, BodyId, BodyMotion, BuildError, Checks, Coordinate, Energy, Engine, Equilibrium,
-    ForceId, ForceOutput, Freedom, JointId, MechanismError, Moved, PointMotion, Reading, Wrench,
+    ForceId, ForceOutput, Freedom, Inputs, JointId, MechanismError, Moved, PointMotion, Prescription, Reading,
+    Readings, Seeded, Wrench,
 };
 use bellcrank_math::Space;
 
@@ -70,6 +73,8 @@ pub struct Machine<S: Space<T = f64>> {
     /// The measured angles: joint, coordinate, link and measure.
     pub(crate) measured_angles: Vec<(usize, usize, usize, Measure)>,
     pub(crate) has_friction: bool,
+    /// Derivatives, once they were asked for.
+    pub(crate) tangent: Option<Box<Tangent<S::With<Seeded>>>>,
 }
 
 /// Buffers of the inner steps.
@@ -117,6 +122,7 @@ impl<S: Space<T = f64>> Machine<S> {
             unwrapped: mech.sources.iter().map(|s| vec![0.0; s.len()]).collect(),
             measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
+            tangent: None,
             mech,
             blueprint,
         };
@@ -163,6 +169,21 @@ impl<S: Space<T = f64>> Machine<S> {
         if let Some(n) = ball {
             let at = self.mech.nodes[n].q;
             self.q[at..at + 4].copy_from_slice(&bellcrank_math::quaternion_from_matrix(&r));
+        }
+    }
+
+    /// What answers are read from.
+    pub(crate) fn solved(&self) -> Solved<'_, S> {
+        Solved {
+            mech: &self.mech,
+            q: &self.q,
+            v: &self.v,
+            a: &self.a,
+            x: &self.x,
+            lambda: &self.lambda,
+            wrench: &self.wrench,
+            outputs: &self.outputs,
+            unwrapped: &self.unwrapped,
         }
     }
 
@@ -244,20 +265,33 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
     fn set_rates(&mut self, velocity: &[f64], acceleration: &[f64]) -> Result<Moved, MechanismError> {
         self.solve_rates(velocity, acceleration)
     }
-    fn solve_forces(&mut self, inputs: &mut dyn FnMut(&dyn Engine, &mut [f64])) -> Result<(), MechanismError> {
+    fn solve_forces(&mut self, inputs: Inputs<'_, f64>) -> Result<(), MechanismError> {
         self.ask_inputs(inputs)?;
         self.solve_efforts()
     }
     fn equilibrium(
         &mut self,
         hold: &[(Coordinate, f64)],
-        inputs: &mut dyn FnMut(&dyn Engine, &mut [f64]),
+        inputs: Inputs<'_, f64>,
     ) -> Result<Equilibrium, MechanismError> {
         self.find_equilibrium(hold, inputs)
     }
     fn uniqueness(&mut self) -> Vec<[bool; 6]> {
         self.unique_components()
     }
+    fn seed(&mut self, blueprint: &Blueprint<Seeded>) -> Result<(), BuildError> {
+        self.tangent = Some(Box::new(Tangent::new(blueprint)?));
+        Ok(())
+    }
+    fn differentiate(&mut self, at: &Prescription<'_>, inputs: Inputs<'_, Seeded>) -> Result<(), MechanismError> {
+        self.carry_derivatives(at, inputs)
+    }
+    fn derivatives(&self) -> Option<&dyn Readings<Seeded>> {
+        self.tangent.as_deref().map(|tangent| tangent as &dyn Readings<Seeded>)
+    }
+}
+
+impl<S: Space<T = f64>> Readings<f64> for Machine<S> {
     fn time(&self) -> f64 {
         self.time
     }
@@ -265,26 +299,27 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
         self.mech.sources.get(joint.0).map_or(0, Vec::len)
     }
     fn coordinate(&self, c: Coordinate) -> Reading {
-        self.read_coordinate(c)
+        self.solved().coordinate(c)
     }
     fn point(&self, body: BodyId, at: [f64; 3]) -> PointMotion {
-        self.read_point(body, at)
+        self.solved().point(body, at)
     }
     fn body(&self, body: BodyId) -> BodyMotion {
-        self.read_body(body)
+        self.solved().body(body)
     }
     fn reaction(&self, joint: JointId) -> Wrench {
-        self.read_reaction(joint)
+        self.need(Stage::Forces);
+        self.solved().reaction(joint)
     }
     fn drive(&self, i: usize) -> f64 {
         self.need(Stage::Forces);
         self.drive.get(i).copied().unwrap_or(f64::NAN)
     }
     fn force(&self, force: ForceId) -> ForceOutput {
-        self.read_force(force)
+        self.solved().force(force)
     }
     fn energy(&self) -> Energy {
-        self.read_energy()
+        self.solved().energy()
     }
     fn checks(&self) -> Checks {
         self.read_checks()

@@ -1,6 +1,7 @@
 //! The machine in motion: `f64` solves over the generic passes.
 
 mod assembly;
+mod balance;
 mod checks;
 mod efforts;
 mod freedom;
@@ -12,5 +13,6 @@ mod readings;
 mod redundancy;
 mod statics;
 mod system;
+mod tangent;
 
 pub use machine::{Machine, engine_for};

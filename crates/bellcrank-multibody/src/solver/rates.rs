@@ -121,7 +121,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let pose = link.pose(&self.x);
         let motion = link.motion(&self.x, &pose);
         match measure {
-            Measure::Attitude(i) => motion.spin_rates(&pose, i),
+            Measure::Attitude(i) => motion.spin_rates(&pose, i).1,
             _ => link.measure_rates(measure, &pose, &motion).1,
         }
     }

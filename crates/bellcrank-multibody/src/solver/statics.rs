@@ -9,7 +9,7 @@ use super::machine::{Machine, Stage};
 use crate::mechanism::{Mechanism, Source};
 use crate::resting::Resting;
 use crate::topology::Motion;
-use crate::{Actuation, Coordinate, Engine, Equilibrium, JointId, MechanismError};
+use crate::{Actuation, Coordinate, Equilibrium, JointId, MechanismError};
 use bellcrank_math::linalg::dense;
 use bellcrank_math::{Dual, Space};
 
@@ -21,7 +21,7 @@ const RANK: f64 = 1e-9;
 /// Half-width of the differences taken of force expressions, whose derivatives only their owner knows.
 const DIFFERENCE: f64 = 1e-6;
 
-type Inputs<'a> = &'a mut dyn FnMut(&dyn Engine, &mut [f64]);
+type Inputs<'a> = crate::Inputs<'a, f64>;
 /// A dense matrix by rows.
 type Matrix = Vec<Vec<f64>>;
 type Lifted<S> = <S as Space>::With<Dual<1>>;

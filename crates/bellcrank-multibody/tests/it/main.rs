@@ -8,3 +8,4 @@ mod lift;
 mod machines;
 mod random;
 mod statics;
+mod tangent;

@@ -57,7 +57,7 @@ fn sub(a: Vec3, b: Vec3) -> Vec3 {
 fn cross(a: Vec3, b: Vec3) -> Vec3 {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
-fn largest(v: Vec3) -> f64 {
+pub fn largest(v: Vec3) -> f64 {
     v.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
@@ -231,7 +231,7 @@ pub fn random_mechanism(seed: u64, planar: bool, bodies: usize, loops: usize) ->
 }
 
 /// An assembled engine with coordinates that take all freedom, or `None` for a mechanism that is stuck.
-fn prepared(b: &Blueprint<f64>, planar: bool) -> Option<(Box<dyn Engine>, Vec<Coordinate>)> {
+pub fn prepared(b: &Blueprint<f64>, planar: bool) -> Option<(Box<dyn Engine>, Vec<Coordinate>)> {
     let mut e = engine_for(planar, b).expect("builds");
     e.assemble(&[]).expect("it was put together");
     let freedom = e.freedom();

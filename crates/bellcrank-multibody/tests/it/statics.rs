@@ -1,9 +1,9 @@
 //! Equilibria against closed forms.
 
 use crate::build::*;
-use bellcrank_multibody::{Engine, Force, Value, engine_for};
+use bellcrank_multibody::{Force, Readings, Value, engine_for};
 
-fn no_inputs(_: &dyn Engine, _: &mut [f64]) {}
+fn no_inputs(_: &dyn Readings<f64>, _: &mut [f64]) {}
 
 /// A bar of mass m pinned at O, with a torsion spring: m g c cos(θ) = −k (θ − θ₀).
 #[test]
