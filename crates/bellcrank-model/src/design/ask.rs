@@ -1,0 +1,146 @@
+//! Studies that ask something of another study: derivatives, optima, many designs, scatter, sizes.
+
+use std::sync::Arc;
+
+use bellcrank_doc::{Constraint, Distribution, Expression, Response, Span};
+
+use crate::signals::Signal;
+
+/// What is asked of which study.
+#[derive(Clone, Debug)]
+pub(crate) struct Ask {
+    /// Name of the study that gives the numbers, and where it is named.
+    pub(crate) of: String,
+    pub(crate) of_span: Span,
+    /// Signals of all responses, by the indices of their expressions.
+    pub(crate) signals: Arc<[Signal]>,
+    pub(crate) question: Question,
+}
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub(crate) enum Question {
+    Sensitivity(Sensitivity),
+    Optimize(Optimize),
+    Designs(Designs),
+    Tolerance(Tolerance),
+}
+
+/// Derivatives of a response.
+#[derive(Clone, Debug)]
+pub(crate) struct Sensitivity {
+    pub(crate) response: Response,
+    pub(crate) parameters: Vec<usize>,
+    /// Samples of each curve over a parameter's range.
+    pub(crate) points: usize,
+}
+
+/// A parameter that may change, between bounds over the parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Variable {
+    pub(crate) parameter: usize,
+    pub(crate) span: Span,
+    pub(crate) min: Option<Expression>,
+    pub(crate) max: Option<Expression>,
+}
+
+/// A part of the objective.
+#[derive(Clone, Debug)]
+pub(crate) struct Term {
+    pub(crate) response: Response,
+    pub(crate) weight: f64,
+}
+
+/// The best parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct Optimize {
+    pub(crate) maximize: bool,
+    /// One: the response itself. Several: the sum of weight × response over its value at the start.
+    pub(crate) terms: Vec<Term>,
+    pub(crate) variables: Vec<Variable>,
+    pub(crate) constraints: Vec<Constraint>,
+    pub(crate) starts: usize,
+    pub(crate) seed: u64,
+    pub(crate) tolerance: Option<f64>,
+    pub(crate) iterations: Option<usize>,
+}
+
+/// A response with the name of its column.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedResponse {
+    pub(crate) name: String,
+    pub(crate) response: Response,
+}
+
+/// Values of one parameter.
+#[derive(Clone, Debug)]
+pub(crate) struct Varied {
+    pub(crate) parameter: usize,
+    pub(crate) span: Span,
+    pub(crate) levels: Levels,
+}
+
+/// Values that a parameter takes.
+#[derive(Clone, Debug)]
+pub(crate) enum Levels {
+    /// From .. to; the bounds of the parameter where not given. With so many levels in a grid.
+    Range { from: Option<Expression>, to: Option<Expression>, points: usize },
+    /// These.
+    List(Vec<Expression>),
+}
+
+/// How the designs lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Method {
+    Grid,
+    LatinHypercube,
+    Sobol,
+    Table,
+}
+
+/// Responses over many designs.
+#[derive(Clone, Debug)]
+pub(crate) struct Designs {
+    pub(crate) responses: Vec<NamedResponse>,
+    pub(crate) vary: Vec<Varied>,
+    pub(crate) method: Method,
+    /// Designs of a table, row by row in the order of `vary`, SI.
+    pub(crate) table: Arc<Vec<Vec<f64>>>,
+    pub(crate) samples: u64,
+    pub(crate) seed: u64,
+    /// Two responses, each made small (else large).
+    pub(crate) pareto: Option<[(usize, bool); 2]>,
+}
+
+/// How a dimension scatters, where the study says other than the parameter.
+#[derive(Clone, Debug)]
+pub(crate) struct Scattered {
+    pub(crate) parameter: usize,
+    pub(crate) span: Span,
+    pub(crate) half_width: Option<Expression>,
+    pub(crate) sigma: Option<Expression>,
+    pub(crate) distribution: Option<Distribution>,
+}
+
+/// Scatter of a response.
+#[derive(Clone, Debug)]
+pub(crate) struct Tolerance {
+    pub(crate) response: Response,
+    pub(crate) scattered: Vec<Scattered>,
+    pub(crate) limits: [Option<Expression>; 2],
+    pub(crate) samples: u64,
+    pub(crate) seed: u64,
+    pub(crate) sobol: bool,
+}
+
+impl Question {
+    /// Parameters that it names.
+    pub(crate) fn named(&self) -> Vec<usize> {
+        match self {
+            Question::Sensitivity(of) => of.parameters.clone(),
+            Question::Optimize(of) => of.variables.iter().map(|v| v.parameter).collect(),
+            Question::Designs(of) => of.vary.iter().map(|v| v.parameter).collect(),
+            Question::Tolerance(of) => of.scattered.iter().map(|s| s.parameter).collect(),
+        }
+    }
+}
