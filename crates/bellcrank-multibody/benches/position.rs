@@ -86,6 +86,14 @@ fn fresh(c: &mut Criterion) {
     let mut group = c.benchmark_group("fresh lift");
     group.bench_function("build", |bench| bench.iter(|| engine_for(true, &b).expect("builds")));
     let mut e = engine_for(true, &b).expect("builds");
+    group.bench_function("renew, assemble, prepare", |bench| {
+        let mut e = engine_for(true, &b).expect("builds");
+        bench.iter(|| {
+            e.renew(&b).expect("builds");
+            e.assemble(&[(lever, -0.5)]).expect("assembles");
+            e.prepare(&Actuation { position: vec![lever], rate: vec![slide], effort: vec![slide] }).expect("drives");
+        });
+    });
     group.bench_function("assemble", |bench| bench.iter(|| e.assemble(&[(lever, -0.5)]).expect("assembles")));
     group.bench_function("prepare", |bench| {
         bench.iter(|| {

@@ -167,6 +167,8 @@ pub struct Equilibrium {
     pub stiffness: Vec<f64>,
     /// All eigenvalues positive.
     pub stable: bool,
+    /// Coordinates that nothing held: with the held ones they take all freedom, and their efforts are zero.
+    pub free: Vec<Coordinate>,
 }
 
 /// Derivatives carried at once.
@@ -222,6 +224,10 @@ pub trait Engine: Readings<f64> + Send {
     fn assemble(&mut self, hold: &[(Coordinate, f64)]) -> Result<Assembled, MechanismError>;
     /// Degrees of freedom at the present position.
     fn freedom(&mut self) -> Freedom;
+    /// The same machine with other numbers: what joins what must not differ. Every coordinate goes to its start;
+    /// then comes [`Engine::assemble`] as for a new machine. [`Engine::prepare`] for what was prepared before takes
+    /// the degrees of freedom on trust, so a family of designs pays for its ranks once.
+    fn renew(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError>;
     /// Chooses what is prescribed; checks that it takes every degree of freedom, no more.
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError>;
     /// Moves the position coordinates to `targets` (SI), keeping the branch; stops where it cannot go on.

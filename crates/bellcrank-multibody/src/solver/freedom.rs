@@ -145,6 +145,13 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     pub(crate) fn prepare_systems(&mut self, actuation: &Actuation) -> Result<(), MechanismError> {
+        if let Some(kept) = self.kept.take()
+            && kept.actuation == *actuation
+        {
+            self.rows.evaluate(&self.mech, &self.q, &self.x);
+            self.begin_at_present(Prepared { position_sign: 0.0, rate_sign: 0.0, ..kept });
+            return Ok(());
+        }
         for list in [&actuation.position, &actuation.rate, &actuation.effort] {
             self.check_list(list)?;
         }
@@ -159,20 +166,27 @@ impl<S: Space<T = f64>> Machine<S> {
             (actuation.rate != actuation.position).then(|| self.system_for(&actuation.rate, freedom)).transpose()?;
         let effort =
             (actuation.effort != actuation.rate).then(|| self.system_for(&actuation.effort, freedom)).transpose()?;
-        self.reset_unwrapped();
-        let targets = actuation.position.iter().map(|c| self.solved().coordinate(*c).position).collect();
-        self.drive = vec![0.0; actuation.effort.len()];
-        self.history.clear();
-        self.prepared = Some(Prepared {
+        self.begin_at_present(Prepared {
             actuation: actuation.clone(),
             position,
             rate,
             effort,
             position_sign: 0.0,
             rate_sign: 0.0,
-            targets,
+            targets: Vec::new(),
         });
         Ok(())
+    }
+
+    fn begin_at_present(&mut self, mut prepared: Prepared) {
+        self.reset_unwrapped();
+        prepared.targets.clear();
+        let places = prepared.actuation.position.iter().map(|c| self.solved().coordinate(*c).position);
+        prepared.targets.extend(places);
+        self.drive.clear();
+        self.drive.resize(prepared.actuation.effort.len(), 0.0);
+        self.history.clear();
+        self.prepared = Some(prepared);
     }
 
     fn check_list(&self, list: &[Coordinate]) -> Result<(), MechanismError> {

@@ -56,6 +56,8 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) rows: Rows<S>,
     pub(crate) stage: Stage,
     pub(crate) prepared: Option<Prepared>,
+    /// Systems of the machine before [`Engine::renew`], good for the same actuation.
+    pub(crate) kept: Option<Prepared>,
     pub(crate) history: History,
     pub(crate) inputs: Vec<f64>,
     pub(crate) outputs: Vec<Output<S>>,
@@ -103,6 +105,7 @@ impl<S: Space<T = f64>> Machine<S> {
             rows,
             stage: Stage::Position,
             prepared: None,
+            kept: None,
             history: History::new(mech.nq),
             inputs: vec![0.0; mech.inputs],
             outputs: vec![Output::default(); mech.elements.len()],
@@ -128,6 +131,25 @@ impl<S: Space<T = f64>> Machine<S> {
         };
         machine.go_to_start();
         Ok(machine)
+    }
+
+    /// Other numbers in the same structure.
+    pub(crate) fn take_numbers(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError> {
+        let mech = Mechanism::<S>::build(blueprint)?;
+        let same = |m: &Mechanism<S>| (m.nq, m.nv, m.link_rows, m.couplings.len(), m.nodes.len(), m.elements.len());
+        if same(&mech) != same(&self.mech) {
+            *self = Self::new(blueprint.clone())?;
+            return Ok(());
+        }
+        self.mech = mech;
+        self.blueprint.clone_from(blueprint);
+        if let Some(prepared) = self.prepared.take() {
+            self.kept = Some(prepared);
+        }
+        self.time = 0.0;
+        self.tangent = None;
+        self.go_to_start();
+        Ok(())
     }
 
     /// Tree coordinates at their starts, everything else at zero.
@@ -255,6 +277,9 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
     }
     fn freedom(&mut self) -> Freedom {
         self.count_freedom()
+    }
+    fn renew(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError> {
+        self.take_numbers(blueprint)
     }
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError> {
         self.prepare_systems(actuation)

@@ -62,7 +62,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let eigenvalues = reduced_eigenvalues(&stiffness.0, &stiffness.1, &self.velocity_indices(&free));
         self.solve_at_rest(hold, &free, inputs)?;
         let stable = eigenvalues.iter().all(|e| *e > 0.0);
-        Ok(Equilibrium { iterations, residual, stiffness: eigenvalues, stable })
+        Ok(Equilibrium { iterations, residual, stiffness: eigenvalues, stable, free })
     }
 
     fn descend(
