@@ -61,11 +61,15 @@ struct Search<'p, P: Problem + ?Sized> {
     entered: f64,
     restorations: usize,
     restarts: usize,
+    reductions: usize,
     /// Accepted steps in a row whose gain drowned in rounding.
     drowned: usize,
     iterations: usize,
     length: f64,
 }
+
+/// A trust region that is none.
+const FAR: f64 = 10.0;
 
 /// Whether a trial step was taken.
 enum Taken {
@@ -88,6 +92,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
             entered: 0.0,
             restorations: 0,
             restarts: 0,
+            reductions: 0,
             drowned: 0,
             iterations: 0,
             length: 0.0,
@@ -135,14 +140,14 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     }
 
     /// A step from `linear`, with the penalty that it needs.
-    fn step_of(&self, linear: &Linear) -> Choice {
+    fn step_of(&self, linear: &Linear, radius: f64) -> Choice {
         let (lower, upper) = self.distances();
         let frame = Frame {
             relations: &self.scaled.relations,
             hessian: &self.hessian.b,
             weight: self.weight,
             penalty: self.penalty,
-            radius: self.radius,
+            radius,
             lower: &lower,
             upper: &upper,
         };
@@ -155,8 +160,12 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         for (pieces, extra) in linear.constraints.iter_mut().zip(&self.extra.constraints) {
             pieces.extend(extra.iter().cloned());
         }
-        let choice = self.step_of(&linear);
+        let mut choice = self.step_of(&linear, self.radius);
         self.penalty = choice.penalty;
+        if choice.step.held {
+            // The wall of the trust region takes part of the force: ask for the multipliers without it.
+            choice.step.weights = self.step_of(&linear, self.radius.max(FAR)).step.weights;
+        }
         choice
     }
 
@@ -195,7 +204,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     /// Whether the search ends here; also switches between minimizing the merit and the violation alone.
     fn decide(&mut self, kkt: &Kkt, choice: &Choice) -> Option<Status> {
         let tolerance = self.options.tolerances.optimality;
-        let stationary = kkt.stationarity <= tolerance && kkt.complementarity <= tolerance;
+        let stationary = kkt.stationarity <= tolerance && kkt.complementarity <= 0.01 * tolerance;
         let feasible = kkt.feasibility <= self.tolerance();
         let restoring = self.weight == 0.0;
         match (feasible, stationary) {
@@ -289,6 +298,18 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     /// Takes the trial point, or its correction, or learns from it and shortens the trust region.
     fn try_step(&mut self, step: &Step, trial: Point) -> bool {
         let ratio = self.ratio(step, &trial);
+        if std::env::var("DBG").is_ok() {
+            eprintln!(
+                "      ratio {ratio:.3} radius {:.2e} rho {:.2e} V {:.2e} lin {:.2e} |d| {:.2e} held {} Bmax {:.2e}",
+                self.radius,
+                self.penalty,
+                trial.violations(&self.scaled.relations),
+                step.violation,
+                largest(&step.d),
+                step.held,
+                self.hessian.size()
+            );
+        }
         if ratio >= 1e-3 {
             self.resize(ratio, step);
             self.take(&step.d, &step.weights, trial);
@@ -297,6 +318,8 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         if let Some((d, corrected)) = self.correct(step, &trial)
             && self.ratio(step, &corrected) >= 1e-3
         {
+            let ratio = self.ratio(step, &corrected);
+            self.resize(ratio, step);
             self.take(&d, &step.weights, corrected);
             return true;
         }
@@ -313,7 +336,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
 
     fn resize(&mut self, ratio: f64, step: &Step) {
         let length = largest(&step.d);
-        if ratio > 0.75 && step.held {
+        if ratio > 0.5 && step.held {
             self.radius = (2.0 * self.radius).min(1e3);
         } else if ratio < 0.25 {
             self.radius = (0.5 * length).max(0.25 * self.radius);
@@ -327,9 +350,21 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         self.length = largest(d);
         self.iterations += 1;
         self.point = trial;
+        self.lower_penalty();
         self.extra = nothing(&self.point);
         if self.is_better(&self.point) {
             self.best = self.point.clone();
+        }
+    }
+
+    /// A penalty far above the multipliers keeps the steps on the curved constraints and short. It goes down a limited
+    /// number of times, so that in the end there is one merit.
+    fn lower_penalty(&mut self) {
+        let greatest = self.weights.constraints.iter().flatten().fold(0.0, |m: f64, w| m.max(w.abs()));
+        let wanted = 1.5 * greatest + 1e-3;
+        if self.weight > 0.0 && self.reductions < 40 && self.penalty > 1.5 * wanted {
+            self.penalty = wanted.max(0.3 * self.penalty);
+            self.reductions += 1;
         }
     }
 
@@ -359,7 +394,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         if !kinks && trial.violations(&self.scaled.relations) <= step.violation + self.tolerance() {
             return None;
         }
-        let d = self.step_of(&corrected(trial, &step.d)).step.d;
+        let d = self.step_of(&corrected(&self.point, trial, &step.d), self.radius).step.d;
         let point = self.scaled.evaluate(&self.at(&d)).ok()?;
         Some((d, point))
     }

@@ -11,13 +11,29 @@ pub(crate) fn tangents(point: &Point) -> Linear {
     Linear { objective: point.objective.clone(), constraints: point.constraints.clone() }
 }
 
-/// The linear pieces of the trial point at `d`, written for steps from the old point: the second-order correction (Nocedal
-/// and Wright, 2nd ed., section 18.3) with the new gradients, too, as they are known.
-pub(crate) fn corrected(trial: &Point, d: &[f64]) -> Linear {
-    let back = |pieces: &Vec<Piece>| pieces.iter().map(|p| moved(p, d)).collect();
-    Linear { objective: back(&trial.objective), constraints: trial.constraints.iter().map(back).collect() }
+/// The second-order correction (Nocedal and Wright, 2nd ed., section 18.3): the old slopes through the values that the trial
+/// point at `d` really has. The old slopes, as the Hessian of the Lagrangian holds the curvature already.
+pub(crate) fn corrected(old: &Point, trial: &Point, d: &[f64]) -> Linear {
+    let constraints = old.constraints.iter().zip(&trial.constraints);
+    Linear {
+        objective: lifted(&old.objective, &trial.objective, d),
+        constraints: constraints.map(|(old, trial)| lifted(old, trial, d)).collect(),
+    }
 }
 
+/// Old pieces that the trial point does not show stay; new ones come with their own slope.
+fn lifted(old: &[Piece], trial: &[Piece], d: &[f64]) -> Vec<Piece> {
+    let pairs = matches(old, trial, d);
+    let mut pieces = old.to_vec();
+    for &(i, j) in &pairs {
+        pieces[i].value = trial[j].value - dot(&old[i].gradient, d);
+    }
+    let unseen = (0..trial.len()).filter(|j| pairs.iter().all(|pair| pair.1 != *j));
+    pieces.extend(unseen.map(|j| moved(&trial[j], d)));
+    pieces
+}
+
+/// The tangent of a piece at the trial point, from the old point.
 fn moved(piece: &Piece, d: &[f64]) -> Piece {
     Piece { value: piece.value - dot(&piece.gradient, d), gradient: piece.gradient.clone() }
 }

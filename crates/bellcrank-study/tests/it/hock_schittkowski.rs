@@ -43,7 +43,7 @@ fn random_starts_reach_the_published_optimum() {
 }
 
 fn from_random_start(mut case: crate::cases::Case, index: u64) -> bool {
-    let start: Vec<f64> = (0..case.start.len()).map(|j| random(&case, index, j)).collect();
+    let start = start_of(&case, index);
     let s = solve(&mut case, &start, &Options::default()).unwrap();
     let error = (s.objective - case.optimum).abs() / case.optimum.abs().max(1.0);
     let good = s.status == Status::Converged && error < 1e-7;
@@ -54,6 +54,10 @@ fn from_random_start(mut case: crate::cases::Case, index: u64) -> bool {
         );
     }
     good
+}
+
+pub fn start_of(case: &crate::cases::Case, index: u64) -> Vec<f64> {
+    (0..case.start.len()).map(|j| random(case, index, j)).collect()
 }
 
 fn random(case: &crate::cases::Case, index: u64, j: usize) -> f64 {

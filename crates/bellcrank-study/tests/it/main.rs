@@ -3,3 +3,4 @@
 mod cases;
 mod hock_schittkowski;
 mod jet;
+mod trace;
