@@ -1,0 +1,329 @@
+//! What a study prescribes along its rows, over any scalar.
+
+use bellcrank_multibody::{Actuation, Assembled, Blueprint, Coordinate, Engine, MechanismError};
+
+use super::time::Times;
+use crate::build::Built;
+use crate::design::{Hold, Law, Over, Prescribed, Sweep, Values};
+use crate::motion::Running;
+use crate::scalar::Scalar;
+
+/// A machine with numbers, before its study begins.
+pub(crate) struct Assembly<'a> {
+    pub(crate) values: &'a Values,
+    pub(crate) built: &'a Built,
+    pub(crate) engine: &'a mut dyn Engine,
+}
+
+impl Assembly<'_> {
+    /// The start that the file gives for a coordinate.
+    pub(crate) fn start(&self, c: Coordinate) -> Option<f64> {
+        start(&self.built.blueprint, c)
+    }
+
+    fn place(&self, c: Coordinate) -> f64 {
+        self.engine.coordinate(c).position
+    }
+
+    /// Where coordinates rest, as far as the study or a start says.
+    pub(crate) fn held(&self, holds: &[Hold]) -> Vec<(Coordinate, f64)> {
+        let place = |hold: &Hold| match &hold.at {
+            Some(at) => Some((hold.coordinate, at.eval(self.values))),
+            None => self.start(hold.coordinate).map(|start| (hold.coordinate, start)),
+        };
+        holds.iter().filter_map(place).collect()
+    }
+
+    /// Assembles with as much held as can be: first all of `wished`, then only what is `needed`. Starts that the
+    /// file wants held exactly come before what a study would like.
+    pub(crate) fn assemble(
+        &mut self,
+        needed: &[(Coordinate, f64)],
+        wished: &[(Coordinate, f64)],
+    ) -> Result<Assembled, MechanismError> {
+        let exact_starts = self.built.blueprint.joints.iter().any(|joint| joint.at_start);
+        let all: Vec<(Coordinate, f64)> = needed.iter().chain(wished).copied().collect();
+        let first = if exact_starts { needed } else { &all };
+        match self.engine.assemble(first) {
+            Err(_) if first.len() > needed.len() => self.engine.assemble(needed),
+            other => other,
+        }
+    }
+}
+
+fn start<T: Copy>(blueprint: &Blueprint<T>, c: Coordinate) -> Option<T> {
+    blueprint.joints.get(c.joint.0)?.start.get(c.index).copied().flatten()
+}
+
+/// What the rows run over.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Path<'d> {
+    /// Motion over positions or time.
+    Motion(&'d Over),
+    /// Rest, at each position of a held coordinate when swept.
+    Rest(Option<&'d Sweep>),
+}
+
+/// A study, begun: what it prescribes, and places that only assembly knows.
+#[derive(Debug)]
+pub(crate) struct Course<'d> {
+    pub(crate) actuation: Actuation,
+    pub(crate) rows: usize,
+    pub(crate) assembled: Assembled,
+    path: Path<'d>,
+    holds: &'d [Hold],
+    pub(crate) motions: Vec<&'d Prescribed>,
+    /// Where each held coordinate rests and each motion begins.
+    rests: Vec<f64>,
+    begins: Vec<f64>,
+}
+
+impl<'d> Course<'d> {
+    /// Assembles the machine where the study begins; `motions` are those that act.
+    ///
+    /// # Errors
+    /// When it cannot be assembled.
+    pub(crate) fn begin(
+        machine: &mut Assembly<'_>,
+        path: Path<'d>,
+        holds: &'d [Hold],
+        motions: Vec<&'d Prescribed>,
+    ) -> Result<Course<'d>, MechanismError> {
+        let held = machine.held(holds);
+        let assembled = match path.sweep() {
+            Some(sweep) => {
+                let mut needed = held.clone();
+                needed.extend(motions.iter().flat_map(|motion| at_the_beginning(machine, motion)));
+                // A start of the swept coordinate selects the branch where the file says it.
+                let swept = sweep.coordinate;
+                let at = machine.start(swept).unwrap_or_else(|| sweep.from.eval(machine.values));
+                machine.assemble(&needed, &[(swept, at)])?
+            }
+            None => assemble_in_time(machine, &held, &motions)?,
+        };
+        let rest = |hold: &Hold| {
+            let place = held.iter().find(|(coordinate, _)| *coordinate == hold.coordinate);
+            place.map_or_else(|| machine.place(hold.coordinate), |(_, place)| *place)
+        };
+        let rests = holds.iter().map(rest).collect();
+        let begins = motions.iter().map(|m| m.coordinates.first().map_or(0.0, |&c| machine.place(c))).collect();
+        let actuation = actuation(path, holds, &motions);
+        let rows = path.rows(machine.values);
+        Ok(Course { actuation, rows, assembled, path, holds, motions, rests, begins })
+    }
+
+    /// The study's laws with these numbers.
+    pub(crate) fn laws<T: Scalar>(&self, values: &Values<T>, blueprint: &Blueprint<T>) -> Laws<'d, T> {
+        let rest = |(hold, place): (&Hold, &f64)| match &hold.at {
+            Some(at) => at.eval(values),
+            None => start(blueprint, hold.coordinate).unwrap_or(T::from_f64(*place)),
+        };
+        let rests: Vec<T> = self.holds.iter().zip(&self.rests).map(rest).collect();
+        let rate = |quantity: &Option<crate::design::Quantity>| {
+            quantity.as_ref().map_or(T::zero(), |quantity| quantity.eval(values))
+        };
+        let running = self.motions.iter().zip(&self.begins).map(|(motion, begins)| {
+            let begins = self.begin_of(motion, *begins, blueprint);
+            (Running::new(&motion.law, values, begins), motion.coordinates.len())
+        });
+        let swept = |sweep: &Sweep| Swept { from: sweep.from.eval(values), to: sweep.to.eval(values) };
+        match self.path {
+            Path::Motion(Over::Positions { sweep, velocity, acceleration, .. }) => Laws::Positions {
+                swept: Some(swept(sweep)),
+                velocity: rate(velocity),
+                acceleration: rate(acceleration),
+                last: self.rows.saturating_sub(1),
+                rests,
+            },
+            Path::Rest(sweep) => {
+                let mut all: Vec<T> = Vec::new();
+                for (motion, count) in running {
+                    all.extend((0..count).map(|i| motion.at(i, T::zero()).value));
+                }
+                all.extend(rests);
+                let last = self.rows.saturating_sub(1);
+                let (velocity, acceleration) = (T::zero(), T::zero());
+                Laws::Positions { swept: sweep.map(swept), velocity, acceleration, last, rests: all }
+            }
+            Path::Motion(Over::Time { duration, step, .. }) => {
+                let (duration, step) = (duration.eval(values), step.eval(values));
+                Laws::Time { running: running.collect(), duration, step, last: self.rows - 1, rests }
+            }
+        }
+    }
+
+    /// A motion begins at the start of the file where assembly met it, and follows its parameters then.
+    fn begin_of<T: Scalar>(&self, motion: &Prescribed, assembled: f64, blueprint: &Blueprint<T>) -> T {
+        let start = motion.coordinates.first().and_then(|&c| start(blueprint, c));
+        let met = |start: &T| (start.value() - assembled).abs() <= 1e-9 * assembled.abs().max(1.0);
+        start.filter(met).map_or(T::from_f64(assembled), |start| start.with_value(assembled))
+    }
+}
+
+/// Assembles where motions begin: those that say where they are at time 0 are met, the others start from the file's
+/// start.
+fn assemble_in_time(
+    machine: &mut Assembly<'_>,
+    held: &[(Coordinate, f64)],
+    motions: &[&Prescribed],
+) -> Result<Assembled, MechanismError> {
+    let mut needed = held.to_vec();
+    let mut wished = Vec::new();
+    for motion in motions {
+        match &motion.law {
+            Law::Expressions(_) | Law::Table(_) => {
+                let running = Running::new(&motion.law, machine.values, 0.0);
+                let at = |(i, &c): (usize, &Coordinate)| (c, running.at(i, 0.0).value);
+                needed.extend(motion.coordinates.iter().enumerate().map(at));
+            }
+            Law::Segments(_) | Law::Velocity(_) => {
+                wished.extend(motion.coordinates.iter().filter_map(|&c| Some((c, machine.start(c)?))));
+            }
+        }
+    }
+    machine.assemble(&needed, &wished)
+}
+
+/// Where a motion is at time 0.
+fn at_the_beginning(machine: &Assembly<'_>, motion: &Prescribed) -> Vec<(Coordinate, f64)> {
+    let from = motion.coordinates.first().and_then(|&c| machine.start(c)).unwrap_or(0.0);
+    let running = Running::new(&motion.law, machine.values, from);
+    motion.coordinates.iter().enumerate().map(|(i, &c)| (c, running.at(i, 0.0).value)).collect()
+}
+
+fn actuation(path: Path<'_>, holds: &[Hold], motions: &[&Prescribed]) -> Actuation {
+    let with_held = |first: &[Coordinate]| -> Vec<Coordinate> {
+        first.iter().copied().chain(holds.iter().map(|hold| hold.coordinate)).collect()
+    };
+    let moved: Vec<Coordinate> = motions.iter().flat_map(|m| m.coordinates.iter().copied()).collect();
+    match path {
+        Path::Motion(Over::Positions { sweep, drive, .. }) => {
+            let rate = with_held(&[*drive]);
+            Actuation { position: with_held(&[sweep.coordinate]), effort: rate.clone(), rate }
+        }
+        Path::Motion(Over::Time { drives, .. }) => {
+            let position = with_held(&moved);
+            // Held coordinates rest by an effort of their own, whatever else drives the machine.
+            let effort = drives.as_ref().map_or_else(|| position.clone(), |drives| with_held(drives));
+            Actuation { rate: position.clone(), position, effort }
+        }
+        Path::Rest(sweep) => {
+            let first: Vec<Coordinate> = sweep.map(|sweep| sweep.coordinate).into_iter().chain(moved).collect();
+            let list = with_held(&first);
+            Actuation { position: list.clone(), rate: list.clone(), effort: list }
+        }
+    }
+}
+
+impl<'d> Path<'d> {
+    fn sweep(self) -> Option<&'d Sweep> {
+        match self {
+            Path::Motion(Over::Positions { sweep, .. }) => Some(sweep),
+            Path::Rest(sweep) => sweep,
+            Path::Motion(Over::Time { .. }) => None,
+        }
+    }
+
+    fn rows(self, values: &Values) -> usize {
+        match self {
+            Path::Motion(Over::Time { duration, step, .. }) => {
+                Times::new(duration.eval(values), step.eval(values)).rows
+            }
+            _ => self.sweep().map_or(1, |sweep| sweep.points),
+        }
+    }
+}
+
+/// The ends of a sweep.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Swept<T> {
+    from: T,
+    to: T,
+}
+
+/// What is prescribed, with numbers.
+#[derive(Debug)]
+pub(crate) enum Laws<'d, T: Scalar = f64> {
+    Positions { swept: Option<Swept<T>>, velocity: T, acceleration: T, last: usize, rests: Vec<T> },
+    Time { running: Vec<(Running<'d, T>, usize)>, duration: T, step: T, last: usize, rests: Vec<T> },
+}
+
+/// Prescribed numbers in the order of the actuation.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Targets<T = f64> {
+    pub(crate) time: T,
+    pub(crate) position: Vec<T>,
+    pub(crate) velocity: Vec<T>,
+    pub(crate) acceleration: Vec<T>,
+}
+
+impl<T: Scalar> Laws<'_, T> {
+    /// The place on the axis at row `row`, which need not be whole: between rows lies what is between them. Both ends
+    /// are exact.
+    pub(crate) fn axis(&self, row: T) -> T {
+        match self {
+            Laws::Positions { swept: None, .. } => T::zero(),
+            Laws::Positions { swept: Some(Swept { from, to }), last, .. } => {
+                let share = row / T::from_f64((*last).max(1) as f64);
+                *from * (T::one() - share) + *to * share
+            }
+            Laws::Time { duration, step, last, .. } => {
+                let before = last.saturating_sub(1) as f64;
+                if row.value() <= before {
+                    return row * *step;
+                }
+                // The last step may be shorter.
+                let share = row - T::from_f64(before);
+                T::from_f64(before) * *step * (T::one() - share) + *duration * share
+            }
+        }
+    }
+
+    /// The row (not whole) of a place on the axis.
+    pub(crate) fn row_of(&self, place: f64) -> f64 {
+        match self {
+            Laws::Positions { swept: None, .. } => 0.0,
+            Laws::Positions { swept: Some(Swept { from, to }), last, .. } => {
+                let (from, to) = (from.value(), to.value());
+                if from == to { 0.0 } else { (place - from) / (to - from) * *last as f64 }
+            }
+            Laws::Time { duration, step, last, .. } => {
+                let before = last.saturating_sub(1) as f64;
+                let begins = before * step.value();
+                if place <= begins { place / step.value() } else { before + (place - begins) / (duration.value() - begins) }
+            }
+        }
+    }
+
+    /// What is prescribed at a place of the axis.
+    pub(crate) fn prescribe(&self, place: T, targets: &mut Targets<T>) {
+        let Targets { time, position, velocity, acceleration } = targets;
+        [&mut *position, &mut *velocity, &mut *acceleration].into_iter().for_each(Vec::clear);
+        let rests = match self {
+            Laws::Positions { swept, velocity: v, acceleration: a, rests, .. } => {
+                *time = T::zero();
+                if swept.is_some() {
+                    position.push(place);
+                    velocity.push(*v);
+                    acceleration.push(*a);
+                }
+                rests
+            }
+            Laws::Time { running, rests, .. } => {
+                *time = place;
+                for (motion, count) in running {
+                    for i in 0..*count {
+                        let jet = motion.at(i, place);
+                        position.push(jet.value);
+                        velocity.push(jet.first);
+                        acceleration.push(jet.second);
+                    }
+                }
+                rests
+            }
+        };
+        position.extend_from_slice(rests);
+        velocity.resize(position.len(), T::zero());
+        acceleration.resize(position.len(), T::zero());
+    }
+}

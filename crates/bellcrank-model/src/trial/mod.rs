@@ -1,0 +1,14 @@
+//! One study run for a few numbers: designs are tried here, with exact derivatives when asked.
+//!
+//! A [`Trial`] holds a machine and a study. [`Trial::run`] gives it other parameters and works out the responses;
+//! [`Trial::gradients`] follows with their derivatives at the same design. Maxima and minima are those of the curve
+//! between the rows, too: the rows only say where to look.
+
+mod asked;
+mod extremes;
+mod gradient;
+mod machine;
+
+pub(crate) use asked::{Asked, Curve};
+pub(crate) use gradient::{Derived, Piece};
+pub(crate) use machine::{Trial, Undefined};
