@@ -14,8 +14,15 @@ mod sample;
 
 fn main() -> Result<(), ReportError> {
     let dir = std::env::args().nth(1).unwrap_or_else(|| "results/samples".to_owned());
-    let runs = [sample::lift::run(), sample::lift::troubled(), sample::stewart::run(), wide()];
-    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide"]) {
+    let runs = [
+        sample::lift::run(),
+        sample::lift::troubled(),
+        sample::stewart::run(),
+        wide(),
+        sample::kinds::run(),
+        sample::kinds::poor(),
+    ];
+    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide", "kinds", "poor"]) {
         print!("{}", terminal_summary(run, &Style { color: false, width: 100 }));
         let columns = run.studies.first().map_or(0, |study| study.table.columns.len());
         println!("\n{name}: {columns} columns");
@@ -76,7 +83,7 @@ fn timings(run: &RunResult, dir: &Path) -> Result<(), ReportError> {
     let text = best(|| {
         std::hint::black_box(terminal_summary(run, &Style::default()));
     });
-    write_report(run, dir)?;
+    bellcrank_report::write_run(run, dir)?;
     println!(
         "  csv {csv:.2} ms, json {json:.2} ms, figures {figures:.2} ms, html {html:.2} ms ({} kB)",
         page.len() / 1000

@@ -1,6 +1,11 @@
 //! Which figures a study gets.
 
-use bellcrank_results::{Column, StudyResult};
+mod designs;
+mod optimization;
+mod sensitivity;
+mod tolerance;
+
+use bellcrank_results::{Column, Findings, StudyResult};
 
 use crate::findings::{drives, family, finding, owner, strongest};
 use crate::folders::distinct;
@@ -17,8 +22,17 @@ pub struct FigureFile {
     pub joint: Option<String>,
     /// The components drawn across and up, as `fx`, for hodographs.
     pub components: Option<(String, String)>,
+    /// Which finding it draws, as `tornado`: the report shows it where that is told.
+    pub finding: Option<&'static str>,
     /// The picture: an SVG document.
     pub svg: String,
+}
+
+impl FigureFile {
+    /// A picture of something a study over another study found.
+    fn of_finding(finding: &'static str, stem: String, title: String, svg: String) -> Self {
+        Self { stem, title, joint: None, components: None, finding: Some(finding), svg }
+    }
 }
 
 /// Lines in one chart: more cannot be told apart.
@@ -26,20 +40,56 @@ const MOST_CURVES: usize = 8;
 /// Joints that get a hodograph of their own, strongest first.
 const MOST_HODOGRAPHS: usize = 24;
 
-/// The figures of a study: motion of the joints, drive forces, reactions, force hodographs.
+/// The figures of a study: what it found, motion of the joints, drive forces, reactions, force
+/// hodographs.
 ///
-/// Empty for a study without rows, and for a single position: a picture of one dot shows nothing.
+/// Empty for a study that has no findings and no rows, or a single position: a picture of one dot
+/// shows nothing.
 pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
-    if study.table.rows() < 2 {
-        return Vec::new();
+    let mut figures = study.findings.as_ref().map_or_else(Vec::new, |findings| of_findings(study, findings));
+    if study.table.rows() > 1 {
+        figures.extend(charts(study));
+        figures.extend(hodographs(study));
     }
-    let mut figures = charts(study);
-    figures.extend(hodographs(study));
     let stems = distinct(figures.iter().map(|figure| figure.stem.as_str()));
     for (figure, stem) in figures.iter_mut().zip(stems) {
         figure.stem = stem;
     }
     figures
+}
+
+fn of_findings(study: &StudyResult, findings: &Findings) -> Vec<FigureFile> {
+    match findings {
+        Findings::Sensitivity(found) => sensitivity::figures(found),
+        Findings::Optimization(found) => optimization::figures(found),
+        Findings::Designs(found) => designs::figures(found),
+        Findings::Tolerance(found) => tolerance::figures(found),
+        Findings::Sizing(_) => over_the_axis(study),
+    }
+}
+
+/// Everything a sizing study has over its stroke, one chart a unit: working pressure, force, speed.
+fn over_the_axis(study: &StudyResult) -> Vec<FigureFile> {
+    if study.table.rows() < 2 {
+        return Vec::new();
+    }
+    let all: Vec<&Column> = study.table.columns.iter().filter(|c| !study.axis.contains(&c.name)).collect();
+    let unit = |column: &Column| column.unit.symbol.clone();
+    let mut units: Vec<String> = all.iter().copied().map(unit).collect();
+    let mut seen = Vec::new();
+    units.retain(|symbol| {
+        !seen.contains(symbol) && {
+            seen.push(symbol.clone());
+            true
+        }
+    });
+    let of_unit = |symbol: &String| {
+        let same: Vec<&Column> = all.iter().copied().filter(|column| column.unit.symbol == *symbol).collect();
+        // Columns of one unit go under the name of the first: a pressure beside its supply.
+        let title = same.first().map_or("", |column| column.name.as_str());
+        FigureFile { finding: Some("stroke"), ..chart(study, format!("stroke-{symbol}"), title, &same) }
+    };
+    units.iter().map(of_unit).collect()
 }
 
 fn charts(study: &StudyResult) -> Vec<FigureFile> {
@@ -97,7 +147,7 @@ fn chart(study: &StudyResult, stem: String, title: &str, columns: &[&Column]) ->
         _ => format!("{title} ({} of {} signals)", drawn.len(), columns.len()),
     };
     let svg = Chart { title: title.clone(), x, y, across, curves }.svg();
-    FigureFile { stem, title, joint: None, components: None, svg }
+    FigureFile { stem, title, joint: None, components: None, finding: None, svg }
 }
 
 fn curve(column: &Column) -> Curve<'_> {
@@ -143,6 +193,7 @@ fn hodograph(study: &StudyResult, joint: &str, plane: (&str, &str)) -> Option<Fi
         title,
         joint: Some(joint.to_owned()),
         components: Some((plane.0.to_owned(), plane.1.to_owned())),
+        finding: None,
         svg,
     })
 }

@@ -12,6 +12,7 @@ mod html;
 mod number;
 mod plot;
 mod terminal;
+mod told;
 mod write;
 
 pub use error::ReportError;

@@ -84,6 +84,47 @@ pub(crate) fn unit(symbol: &str) -> String {
     symbol.replace("^2", "²").replace("^3", "³").replace('*', "·")
 }
 
+/// A share in percent to three digits: `31.7 %`.
+pub(crate) fn percent(share: f64) -> String {
+    if share.is_finite() { format!("{} %", rounded_percent(share)) } else { "–".to_owned() }
+}
+
+/// A change in percent with its sign: `+3.2 %`, `-31.7 %`.
+pub(crate) fn change(share: f64) -> String {
+    let text = percent(share);
+    if share > 0.0 && text != "0 %" { format!("+{text}") } else { text }
+}
+
+/// A part of a whole; what is next to nothing says so.
+pub(crate) fn part(share: f64) -> String {
+    if share != 0.0 && share.abs() < 5e-5 { "< 0.01 %".to_owned() } else { percent(share) }
+}
+
+/// An estimate with its error, both to the first digit of the error that counts.
+pub(crate) fn estimate(value: f64, error: f64) -> String {
+    if !(value.is_finite() && error.is_finite() && error > 0.0) {
+        return significant(value, 3);
+    }
+    let decimals = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{} ± {error:.decimals$}", unsigned_zero(format!("{value:.decimals$}")))
+}
+
+/// A share near one keeps the digits that tell it from one: 99.865 %, not 99.9 %.
+fn rounded_percent(share: f64) -> String {
+    let missing = 1.0 - share;
+    if share < 1.0 && missing > 1e-9 && missing < 5e-3 {
+        let decimals = (2.0 - (100.0 * missing).log10().floor()) as usize;
+        return trimmed(&format!("{:.decimals$}", 100.0 * share)).to_owned();
+    }
+    let text = significant(100.0 * share, 3);
+    if text.contains('e') && share.abs() < 1e-3 { "0".to_owned() } else { text }
+}
+
+/// From where to where, relative; not finite where it began at zero.
+pub(crate) fn relative_change(start: f64, value: f64) -> f64 {
+    if start == 0.0 { f64::NAN } else { (value - start) / start.abs() }
+}
+
 /// Seconds as a reader takes them in: `0.6 ms`, `12.4 s`.
 pub(crate) fn duration(seconds: f64) -> String {
     match seconds {
@@ -105,7 +146,7 @@ pub(crate) fn typeset_places(text: &str) -> String {
     let mut rest = text.chars().peekable();
     while let Some(c) = rest.next() {
         let number = rest.peek().is_some_and(char::is_ascii_digit);
-        typeset.push(if c == '-' && number && " e".contains(before) { '\u{2212}' } else { c });
+        typeset.push(if c == '-' && number && " (e".contains(before) { '\u{2212}' } else { c });
         before = c;
     }
     typeset
@@ -150,6 +191,24 @@ mod tests {
         assert_eq!(aligned(-0.01, shared), "0.0");
         assert_eq!(aligned(1e-12, decimals(1e-12, 5)), "1e-12");
         assert_eq!(aligned(f64::NAN, shared), "–");
+    }
+
+    #[test]
+    fn shares_keep_what_they_miss() {
+        for (share, text) in [
+            (0.316_68, "31.7 %"),
+            (0.999_937_4, "99.99374 %"),
+            (0.998_65, "99.865 %"),
+            (1.0, "100 %"),
+            (-0.5, "-50 %"),
+            (1e-9, "0 %"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(percent(share), text);
+        }
+        assert_eq!([part(3.7e-6), part(0.25), part(0.0)], ["< 0.01 %", "25 %", "0 %"]);
+        assert_eq!([estimate(3.7e-6, 0.0041), estimate(0.9432, 0.012)], ["0.0000 ± 0.0041", "0.943 ± 0.012"]);
+        assert_eq!((change(0.0125), change(0.0)), ("+1.25 %".to_owned(), "0 %".to_owned()));
     }
 
     #[test]

@@ -1,12 +1,13 @@
 //! The summary that a run prints: what an engineer reads at a glance.
 
 mod grid;
+mod kinds;
 mod paint;
 
 use bellcrank_results::{Reaction, RunResult, StudyResult};
 
 use crate::findings::{self, Finding};
-use crate::number;
+use crate::{number, told};
 use grid::{Cell, Grid};
 use paint::{Ink, clean, wrapped};
 
@@ -64,6 +65,15 @@ impl Page<'_> {
                 text.push_str(&self.note("  try", Ink::Plain, hint));
             }
         }
+        for sentence in kinds::sentences(study) {
+            text.push_str(&self.line(&sentence));
+        }
+        if let Some(why) = told::unmet(study) {
+            text.push_str(&self.note("goal not reached", Ink::Yellow, &why));
+        }
+        for table in kinds::tables(study) {
+            text.push_str(&table.text(self.style));
+        }
         for table in [drive_table(study), reaction_table(study), scalar_table(study)] {
             text.push_str(&table.text(self.style));
         }
@@ -82,6 +92,9 @@ impl Page<'_> {
             .map(|(name, range)| format!(", {} {range}", clean(&name)))
             .collect();
         let (kind, took) = (clean(&study.kind), number::duration(study.seconds));
+        if study.findings.is_some() && rows == 0 {
+            return format!("{name}  {kind}, {took}\n");
+        }
         let plural = if rows == 1 { "" } else { "s" };
         format!("{name}  {kind}, {rows} row{plural}{}, {took}\n", ranges.concat())
     }
@@ -97,6 +110,10 @@ impl Page<'_> {
         };
         let all: Vec<String> = findings::checks(study).iter().map(one).collect();
         if all.is_empty() { String::new() } else { format!("  {}\n", all.join(" · ")) }
+    }
+
+    fn line(&self, sentence: &str) -> String {
+        format!("  {}\n", wrapped(&clean(sentence), self.style.width.saturating_sub(4)).join("\n    "))
     }
 
     fn note(&self, word: &str, ink: Ink, sentence: &str) -> String {

@@ -49,6 +49,6 @@ mod words;
 pub use check::{Check, Quantity, Subject, Verdict};
 pub use duty::{Basis, Duty, Row};
 pub use error::SizingError;
-pub use requirement::{Peak, Requirement};
+pub use requirement::{Motion, Peak, Requirement};
 pub use select::{Candidate, Selection};
 pub use stroke::Stroke;

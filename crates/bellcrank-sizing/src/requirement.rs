@@ -14,6 +14,17 @@ pub struct Peak {
     pub row: usize,
 }
 
+/// What is asked in one direction of motion. Rows at rest belong to neither.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Largest positive effort, N.
+    pub push: Peak,
+    /// Largest negative effort, N; its size.
+    pub pull: Peak,
+    /// Largest speed, m/s; 0 where the duty never moves this way.
+    pub speed: Peak,
+}
+
 /// What a duty asks, SI. Forces stand for torques, m for rad, where the drive turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Requirement {
@@ -33,10 +44,10 @@ pub struct Requirement {
     pub rms_effort: f64,
     /// Largest speed, m/s.
     pub speed: Peak,
-    /// Largest speed with the coordinate growing (a cylinder extends), m/s.
-    pub extending_speed: Peak,
-    /// Largest speed with the coordinate shrinking, m/s.
-    pub retracting_speed: Peak,
+    /// While the coordinate grows (a cylinder extends).
+    pub extending: Motion,
+    /// While the coordinate shrinks.
+    pub retracting: Motion,
     /// Largest power given to the machine, effort × velocity, W.
     pub power: Peak,
     /// Largest power taken from the machine (braking, lowering), W.
@@ -69,8 +80,8 @@ impl Requirement {
             effort: peak(rows, |row| row.effort.abs()),
             rms_effort: over(&|a, b| mean_square(a.effort, b.effort)).sqrt(),
             speed: peak(rows, |row| row.velocity.abs()),
-            extending_speed: peak(rows, |row| row.velocity),
-            retracting_speed: peak(rows, |row| -row.velocity),
+            extending: motion(rows, 1.0),
+            retracting: motion(rows, -1.0),
             power: peak(rows, power),
             braking_power: peak(rows, |row| -power(row)),
             mean_power: timed(over(&|a, b| mean_above(power(a), power(b)))),
@@ -84,6 +95,16 @@ impl Requirement {
 fn range(rows: &[Row]) -> (f64, f64) {
     let fold = |pick: fn(f64, f64) -> f64, start| rows.iter().map(|row| row.position).fold(start, pick);
     (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY))
+}
+
+fn motion(rows: &[Row], sense: f64) -> Motion {
+    let moving = |row: &Row| row.velocity * sense > 0.0;
+    let only = |row: &Row, value: f64| if moving(row) { value } else { 0.0 };
+    Motion {
+        push: peak(rows, |row| only(row, row.effort)),
+        pull: peak(rows, |row| only(row, -row.effort)),
+        speed: peak(rows, |row| only(row, row.velocity * sense)),
+    }
 }
 
 /// The first row where `f` is largest; 0 where it is nowhere above zero.

@@ -22,7 +22,7 @@ pub trait Candidate {
     /// The check that leaves least, or is missed most.
     fn tightest(&self) -> Option<&Check> {
         let checked = self.checks().iter().filter(|check| check.verdict != Verdict::NotChecked);
-        checked.max_by(|a, b| a.utilization().total_cmp(&b.utilization()))
+        checked.rev().max_by(|a, b| a.utilization().total_cmp(&b.utilization()))
     }
 }
 

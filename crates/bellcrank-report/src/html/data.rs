@@ -9,7 +9,8 @@ mod blob;
 mod thinning;
 
 use bellcrank_results::{
-    Animation, Arrow, Column, Drawing, DrawnBody, DrawnJoint, Pose, RunResult, SpaceKind, StudyResult,
+    Animation, Arrow, Column, Designs, Drawing, DrawnBody, DrawnJoint, Findings, Pose, RunResult, SpaceKind,
+    StudyResult,
 };
 use serde_json::{Value, json};
 
@@ -48,6 +49,32 @@ fn described(study: &StudyResult, planar: bool, blob: &mut Blob) -> Value {
         "rows": rows.len(),
         "columns": columns,
         "animation": study.animation.as_ref().map(|animation| moves(animation, &rows, planar, blob)),
+        "designs": match &study.findings {
+            Some(Findings::Designs(found)) => designs(found, blob),
+            _ => Value::Null,
+        },
+    })
+}
+
+/// The rows of a sweep that the page holds, and which designs are the front of which responses.
+fn designs(found: &Designs, blob: &mut Blob) -> Value {
+    let rows: Vec<usize> = (0..found.sample.rows()).collect();
+    let counted = ["design".to_owned()];
+    let front = found.pareto.as_ref().map(|front| {
+        let side = |index: usize| {
+            let column = front.front.column(&front.objectives[index].0);
+            column.map_or_else(Vec::new, |column| {
+                column.values.iter().map(|si| column.unit.show(*si)).collect::<Vec<f64>>()
+            })
+        };
+        json!({ "x": front.objectives[0].0, "y": front.objectives[1].0, "xs": side(0), "ys": side(1) })
+    });
+    json!({
+        "rows": rows.len(),
+        "total": found.total,
+        "inputs": found.inputs,
+        "columns": found.sample.columns.iter().map(|column| packed(column, &rows, &counted, blob)).collect::<Vec<_>>(),
+        "front": front,
     })
 }
 

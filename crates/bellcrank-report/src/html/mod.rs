@@ -3,10 +3,12 @@
 mod data;
 mod escape;
 mod glance;
+mod kinds;
 mod model;
 mod page;
 mod provenance;
 mod reactions;
+mod rows;
 mod sentence;
 mod study;
 

@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::{Escaped, data, model, provenance, sentence, study};
-use crate::{FigureFile, findings, study_folders};
+use crate::{FigureFile, findings, study_folders, told};
 
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
 const SCRIPT: &str = include_str!("../../web/dist/report.js");
@@ -74,11 +74,14 @@ fn verdict(run: &RunResult) -> String {
     let count = |bad: fn(&StudyResult) -> bool| run.studies.iter().filter(|s| bad(s)).count();
     let stopped = count(|study| study.failure.is_some());
     let doubtful = count(|study| findings::checks(study).iter().any(|check| !check.passed()));
+    let unmet = count(|study| told::unmet(study).is_some());
     let warned = run.warnings.len() + run.studies.iter().map(|s| s.warnings.len()).sum::<usize>();
     let (class, text) = if stopped > 0 {
         ("bad", format!("{} did not reach the end", counted(stopped, "study", "studies")))
     } else if doubtful > 0 {
         ("bad", format!("residuals too large in {}", counted(doubtful, "study", "studies")))
+    } else if unmet > 0 {
+        ("caution", format!("complete, but {} did not reach the goal", counted(unmet, "study", "studies")))
     } else if warned > 0 {
         ("caution", format!("complete, with {}", counted(warned, "warning", "warnings")))
     } else {

@@ -3,9 +3,9 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, data, glance, model, reactions, sentence};
+use super::{Escaped, data, glance, kinds, model, reactions, sentence};
 use crate::findings::{self, Check};
-use crate::{FigureFile, number};
+use crate::{FigureFile, number, told};
 
 /// Where a study stands in the page.
 pub(crate) struct Place<'a> {
@@ -27,7 +27,9 @@ pub(crate) fn push_section(
     page.push_str(&lead(run, study));
     page.push_str(&failure(study));
     page.push_str(&warnings(&study.warnings));
+    page.push_str(&unmet(study));
     page.push_str(&model::changed(&study.changed, &run.parameters));
+    page.push_str(&kinds::findings(study, place.index, figures));
     page.push_str(&glance::glance(study));
     page.push_str(&mounts(run, study, place.index));
     push_figures(page, figures);
@@ -35,6 +37,13 @@ pub(crate) fn push_section(
     page.push_str(&reactions::hodographs(figures, place.index));
     page.push_str(&trust(study));
     page.push_str("</section>\n");
+}
+
+/// It ran to its end, but not to what it was for.
+fn unmet(study: &StudyResult) -> String {
+    told::unmet(study).map_or_else(String::new, |why| {
+        format!("<div class=\"note caution\"><b>Goal not reached:</b> {}.</div>\n", sentence(&why))
+    })
 }
 
 /// What was computed, over what, and from what, in a sentence or two.
@@ -45,7 +54,7 @@ fn lead(run: &RunResult, study: &StudyResult) -> String {
         .collect();
     let over = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(", ")) };
     format!(
-        "<p class=\"lead\">{} at {}{over}. Computed in {} from <code>{}</code>{}.</p>\n",
+        "<p class=\"lead\">{}{}{over}. Computed in {} from <code>{}</code>{}.</p>\n",
         what(&study.kind),
         positions(study),
         number::duration(study.seconds),
@@ -55,9 +64,12 @@ fn lead(run: &RunResult, study: &StudyResult) -> String {
 }
 
 fn positions(study: &StudyResult) -> String {
+    if study.findings.is_some() && study.table.rows() == 0 {
+        return String::new();
+    }
     let in_time = study.axis.first().is_some_and(|axis| axis == "time");
     let (one, many) = if in_time { ("instant", "instants") } else { ("position", "positions") };
-    counted(study.table.rows(), one, many)
+    format!(" at {}", counted(study.table.rows(), one, many))
 }
 
 fn range_in_words(range: &str) -> String {
@@ -72,6 +84,11 @@ fn what(kind: &str) -> String {
             .to_owned(),
         "statics" => "Equilibrium of weights, springs and applied forces".to_owned(),
         "dynamics" => "Motion in time under drives and forces".to_owned(),
+        "sensitivity" => "Exact derivatives of a response with respect to parameters".to_owned(),
+        "optimize" => "Search for parameters that make a response best within bounds and constraints".to_owned(),
+        "sweep" => "Responses over many designs".to_owned(),
+        "tolerance" => "Scatter of a response from the tolerances of its parameters".to_owned(),
+        "sizing" => "Standard drives against what the motion needs".to_owned(),
         other => format!("A study of kind {}", Escaped(other)),
     }
 }
@@ -91,6 +108,9 @@ fn failure(study: &StudyResult) -> String {
 
 /// Where the browser part puts the moving drawing and the curves.
 fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
+    if study.table.rows() == 0 && study.findings.is_some() {
+        return String::new();
+    }
     if study.table.rows() == 0 {
         return "<p class=\"hint\">There are no rows to draw.</p>\n".to_owned();
     }
@@ -130,7 +150,7 @@ fn thinned(study: &StudyResult) -> String {
 /// The charts as pictures: for print, and where scripts do not run.
 fn push_figures(page: &mut String, figures: &[FigureFile]) {
     page.push_str("<div class=\"figures\">\n");
-    for figure in figures.iter().filter(|figure| figure.joint.is_none()) {
+    for figure in figures.iter().filter(|figure| figure.joint.is_none() && figure.finding.is_none()) {
         page.push_str("<figure>");
         page.push_str(&inline(&figure.svg));
         page.push_str("</figure>\n");

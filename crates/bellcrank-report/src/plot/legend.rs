@@ -40,6 +40,11 @@ impl<'a> Legend<'a> {
     }
 
     pub(crate) fn draw(&self, svg: &mut Svg, corner: (f64, f64)) {
+        self.draw_with(svg, corner, stroke);
+    }
+
+    /// With line styles of the chart's own.
+    pub(crate) fn draw_with(&self, svg: &mut Svg, corner: (f64, f64), stroke: impl Fn(usize) -> String) {
         let column = self.width / self.columns as f64;
         for (index, name) in self.names.iter().enumerate() {
             let x = corner.0 + column * (index % self.columns) as f64;

@@ -7,15 +7,29 @@
 
 use crate::number;
 
+mod bars;
 mod chart;
 mod curve;
+mod frame;
+mod histogram;
 mod hodograph;
 mod legend;
+mod parallel;
+mod progress;
+mod response;
+mod scale;
+mod scatter;
 mod svg;
 mod ticks;
 
+pub(crate) use bars::{Bar, Bars};
 pub(crate) use chart::Chart;
+pub(crate) use histogram::{Histogram, Mark, MarkStyle};
 pub(crate) use hodograph::Hodograph;
+pub(crate) use parallel::{Parallel, Ruler};
+pub(crate) use progress::{Course, Progress};
+pub(crate) use response::{Response, shared_span};
+pub(crate) use scatter::Scatter;
 
 /// A line of a chart: display numbers, not necessarily finite.
 pub(crate) struct Curve<'a> {

@@ -1,9 +1,9 @@
 use bellcrank_report::render_html;
-use bellcrank_results::{RunResult, StudyResult, Table};
+use bellcrank_results::{Findings, RunResult, StudyResult, Table};
 use serde_json::Value;
 
 use crate::markup::{assert_balanced, between};
-use crate::sample::{lift, stewart};
+use crate::sample::{kinds, lift, stewart};
 
 fn without_rows() -> RunResult {
     let mut run = lift::run();
@@ -42,12 +42,73 @@ fn hostile() -> RunResult {
     run
 }
 
+/// Every text of every finding is markup.
+fn hostile_kinds() -> RunResult {
+    let mut run = kinds::run();
+    let evil = "</script><img src=x onerror=alert(1)>\"'&\u{1b}[2J".to_owned();
+    for study in &mut run.studies {
+        match study.findings.as_mut() {
+            Some(Findings::Sensitivity(found)) => {
+                found.response.clone_from(&evil);
+                found.of.clone_from(&evil);
+                found.unit.symbol.clone_from(&evil);
+                found.parameters[0].name.clone_from(&evil);
+                found.parameters[0].note.clone_from(&evil);
+                found.parameters[0].derivative_unit.symbol.clone_from(&evil);
+            }
+            Some(Findings::Optimization(found)) => {
+                found.status.clone_from(&evil);
+                found.objective.written.clone_from(&evil);
+                found.objective.unit.symbol.clone_from(&evil);
+                found.variables[0].name.clone_from(&evil);
+                found.variables[0].unit.symbol.clone_from(&evil);
+                found.constraints[1].written.clone_from(&evil);
+                found.constraints[1].unit.symbol.clone_from(&evil);
+                found.starts[0].status.clone_from(&evil);
+            }
+            Some(Findings::Designs(found)) => {
+                found.method.clone_from(&evil);
+                found.failures[0].reason.clone_from(&evil);
+                found.files[0].clone_from(&evil);
+                found.sample.columns[1].name.clone_from(&evil);
+                found.sample.columns[1].unit.symbol.clone_from(&evil);
+                found.statistics[0].name.clone_from(&evil);
+                found.pareto.as_mut().unwrap().front.columns[1].name.clone_from(&evil);
+            }
+            Some(Findings::Tolerance(found)) => {
+                found.response.clone_from(&evil);
+                found.inputs[0].name.clone_from(&evil);
+                found.inputs[0].unit.symbol.clone_from(&evil);
+            }
+            Some(Findings::Sizing(found)) => {
+                found.candidates[0].name.clone_from(&evil);
+                found.candidates[0].checks[0].key.clone_from(&evil);
+                found.candidates[0].checks[0].reason.clone_from(&evil);
+                found.requirements[0].label.clone_from(&evil);
+                study.table.columns[1].name.clone_from(&evil);
+            }
+            None => {}
+        }
+    }
+    run
+}
+
 fn runs() -> Vec<RunResult> {
     let mut empty = lift::run();
     empty.studies.clear();
     empty.parameters.clear();
     empty.facts.clear();
-    vec![lift::run(), lift::troubled(), stewart::run(), without_rows(), hostile(), empty]
+    vec![
+        lift::run(),
+        lift::troubled(),
+        stewart::run(),
+        without_rows(),
+        hostile(),
+        empty,
+        kinds::run(),
+        kinds::poor(),
+        hostile_kinds(),
+    ]
 }
 
 #[test]
@@ -59,7 +120,7 @@ fn every_element_closes() {
 
 #[test]
 fn nothing_is_fetched() {
-    for run in [lift::run(), lift::troubled(), stewart::run()] {
+    for run in [lift::run(), lift::troubled(), stewart::run(), kinds::run()] {
         let page = render_html(&run);
         for sign in ["http://", "https://", " src=", "url(", "@import"] {
             assert!(!page.contains(sign), "{sign}");
@@ -72,10 +133,12 @@ fn nothing_is_fetched() {
 
 #[test]
 fn names_from_a_file_stay_text() {
-    let page = render_html(&hostile());
-    assert!(!page.contains("<img"));
-    assert!(!page.contains('\u{1b}'));
-    assert!(page.contains("&lt;/script&gt;&lt;img"));
+    for run in [hostile(), hostile_kinds()] {
+        let page = render_html(&run);
+        assert!(!page.contains("<img"));
+        assert!(!page.contains('\u{1b}'));
+        assert!(page.contains("&lt;/script&gt;&lt;img"));
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 mod files;
 mod html;
+mod kinds;
 mod markup;
 mod sample;
 mod terminal;

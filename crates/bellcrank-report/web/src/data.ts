@@ -47,6 +47,18 @@ export interface Motion {
   arrows: Float32Array;
 }
 
+/** Designs of a sweep: the number of the design, what was varied, what was found. */
+export interface Designs {
+  rows: number;
+  total: number;
+  number: Signal;
+  columns: Signal[];
+  /** How many leading columns were varied. */
+  inputs: number;
+  /** Best compromises of two responses, in order. */
+  front: { x: string; y: string; xs: number[]; ys: number[] } | null;
+}
+
 export interface Study {
   name: string;
   axis: string[];
@@ -54,6 +66,7 @@ export interface Study {
   signals: Signal[];
   byName: Map<string, Signal>;
   motion: Motion | null;
+  designs: Designs | null;
 }
 
 interface PackedColumn {
@@ -70,6 +83,7 @@ interface PackedStudy {
   rows: number;
   columns: PackedColumn[];
   animation: { rows: number[]; bodies: number; arrows: number; posesAt: number; arrowsAt: number } | null;
+  designs: { rows: number; total: number; inputs: number; columns: PackedColumn[]; front: Designs["front"] } | null;
 }
 
 export interface Report {
@@ -95,11 +109,7 @@ function blob(index: number): ArrayBuffer {
 }
 
 function unpack(study: PackedStudy, buffer: ArrayBuffer, planar: boolean): Study {
-  const signals = study.columns.map((column) => ({
-    name: column.name,
-    unit: column.unit,
-    values: values(column, buffer, study.rows),
-  }));
+  const signals = study.columns.map((column) => unpacked(column, buffer, study.rows));
   return {
     name: study.name,
     axis: study.axis,
@@ -107,7 +117,19 @@ function unpack(study: PackedStudy, buffer: ArrayBuffer, planar: boolean): Study
     signals,
     byName: new Map(signals.map((signal) => [signal.name, signal])),
     motion: motion(study, buffer, planar),
+    designs: designs(study, buffer),
   };
+}
+
+function unpacked(column: PackedColumn, buffer: ArrayBuffer, rows: number): Signal {
+  return { name: column.name, unit: column.unit, values: values(column, buffer, rows) };
+}
+
+function designs(study: PackedStudy, buffer: ArrayBuffer): Designs | null {
+  const packed = study.designs;
+  if (!packed || packed.rows < 2) return null;
+  const [number, ...columns] = packed.columns.map((column) => unpacked(column, buffer, packed.rows));
+  return { rows: packed.rows, total: packed.total, number, columns, inputs: packed.inputs, front: packed.front };
 }
 
 function values(column: PackedColumn, buffer: ArrayBuffer, rows: number): ArrayLike<number> {

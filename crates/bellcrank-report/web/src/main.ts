@@ -5,10 +5,14 @@ import "./style.css";
 import { Cursor } from "./cursor";
 import { Curves } from "./curves/curves";
 import { type Drawing, readReport, type Study } from "./data";
+import { Explorer } from "./designs/explorer";
 import { followHodographs } from "./hodograph";
 import { Stage } from "./stage";
 
 function liven(drawing: Drawing, study: Study, index: number): void {
+  const { designs } = study;
+  const explorer = document.querySelector<HTMLElement>(`[data-designs="${index}"]`);
+  if (explorer && designs) whenNear(explorer, () => new Explorer(explorer, designs));
   if (study.rows === 0) return;
   const cursor = new Cursor(study.rows);
   const stage = document.querySelector<HTMLElement>(`[data-stage="${index}"]`);

@@ -45,7 +45,7 @@ impl Trial<'_> {
     fn peak(&self) -> Check {
         let quantity = self.drive.kind.effort();
         let share = |row: &&Row| row.effort.abs() / self.drive.effort_at(row.velocity);
-        let worst = self.duty.rows().iter().max_by(|a, b| share(a).total_cmp(&share(b)));
+        let worst = self.duty.rows().iter().rev().max_by(|a, b| share(a).total_cmp(&share(b)));
         let (effort, speed) = worst.map_or((0.0, 0.0), |row| (row.effort.abs(), row.velocity.abs()));
         let (needed, available) = (effort * self.conditions.safety, self.drive.effort_at(speed));
         let (is, wanted) = both(available, needed, quantity);

@@ -19,9 +19,9 @@ pub fn free_air(volume: f64, absolute_pressure: f64) -> f64 {
 
 /// Free air of one double stroke, m³ (m, m, m, gauge Pa, Pa, m³).
 ///
-/// Each side is swept from nothing to full and counts with the absolute pressure, (A + A_annulus) s (p + p_atm) / p_ANR.
-/// The dead volume (tubes, ports; both sides together) still holds air of atmosphere when it is filled and counts with the
-/// gauge pressure, V p / p_ANR, as in makers' formulas for tubes.
+/// Each side is swept from nothing to full and counts with the absolute pressure, (A + A_annulus) s (p + p_atm) /
+/// p_ANR. The dead volume (tubes, ports; both sides together) still holds air of atmosphere when it is filled and
+/// counts with the gauge pressure, V p / p_ANR, as in makers' formulas for tubes.
 pub fn per_double_stroke(bore: f64, rod: f64, stroke: f64, gauge: f64, atmosphere: f64, dead_volume: f64) -> f64 {
     let swept = (piston_area(bore) + annulus_area(bore, rod)) * stroke;
     free_air(swept, gauge + atmosphere) + free_air(dead_volume, gauge)

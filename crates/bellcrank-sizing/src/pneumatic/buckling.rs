@@ -1,8 +1,8 @@
 //! Buckling of the piston rod after Euler.
 //!
 //! F_cr = π² E I / (K L)² with I = π d⁴ / 64 (e.g. Roloff/Matek, Maschinenelemente; Hänchen,
-//! calculation of hydraulic cylinders, gives the same with a safety of 3 to 5). The whole column is taken as thick as the
-//! rod; the tube is stiffer, so this is on the safe side, most of all for [`Mount::Rear`].
+//! calculation of hydraulic cylinders, gives the same with a safety of 3 to 5). The whole column is taken as thick as
+//! the rod; the tube is stiffer, so this is on the safe side, most of all for [`Mount::Rear`].
 //!
 //! Euler's formula overestimates short columns (slenderness K L / (d/4) below π √(2 E / R_e), about 110 for
 //! R_e = 350 MPa). That does no harm here: a rod at 10 bar carries at most p (D/d)², 26 MPa for every ISO 15552

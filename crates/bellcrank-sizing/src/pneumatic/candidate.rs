@@ -29,6 +29,8 @@ pub struct CylinderCandidate {
     pub pull: f64,
     /// Largest gauge pressure that the duty needs, Pa.
     pub working_pressure: f64,
+    /// Smallest gauge pressure of the supply at which the forces suffice, Pa: working pressure / load factor.
+    pub needed_supply: f64,
     /// Length of the buckling column, m.
     pub column: f64,
     /// Euler's load of it, N.
@@ -92,12 +94,14 @@ fn judge(
         Stroke::of(&cylinder.strokes, cylinder.max_stroke, requirement.stroke + 2.0 * conditions.stroke_reserve);
     let trial = Trial { cylinder, conditions, duty, requirement, stroke };
     let pressures = working_pressures(duty, bore, rod, conditions.efficiency);
+    let working_pressure = pressures.iter().map(|row| row.pressure).fold(0.0, f64::max);
     Ok(CylinderCandidate {
         cylinder: cylinder.clone(),
         stroke,
         push: push(bore, conditions.supply.pressure),
         pull: pull(bore, rod, conditions.supply.pressure),
-        working_pressure: pressures.iter().map(|row| row.pressure).fold(0.0, f64::max),
+        working_pressure,
+        needed_supply: working_pressure / conditions.load_factor,
         column: trial.column(),
         critical_load: trial.critical_load(),
         air: consumption(cylinder, stroke.length(), conditions, requirement.speed.value),

@@ -125,11 +125,13 @@ impl Trial<'_> {
         }
     }
 
-    /// Where the cylinder drives (effort with the motion), the valve must fill the growing chamber at its working pressure.
+    /// Where the cylinder drives (effort with the motion), the valve must fill the growing chamber at its working
+    /// pressure.
     fn valve(&self, valve: &Conductance) -> Check {
         let share = |flow: &(f64, f64, f64)| if flow.0 == 0.0 { 0.0 } else { flow.0 / flow.1 };
         let driving = self.duty.rows().iter().filter(|row| row.effort * row.velocity > 0.0);
-        let worst = driving.map(|row| self.flow(row, valve)).max_by(|a, b| share(a).total_cmp(&share(b)));
+        // From the end, so that the first of equals is told.
+        let worst = driving.rev().map(|row| self.flow(row, valve)).max_by(|a, b| share(a).total_cmp(&share(b)));
         let Some((needed, available, position)) = worst else {
             let why = "the cylinder drives nothing at a speed";
             return Check::unknown(Subject::Valve, Quantity::Flow, 0.0, f64::NAN, why);

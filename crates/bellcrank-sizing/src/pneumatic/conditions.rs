@@ -24,8 +24,8 @@ impl Supply {
     }
 }
 
-/// Load factor for fast, dynamic motion: half the theoretical force moves the load, the rest accelerates it, pushes out the
-/// exhaust air and overcomes the seals (makers' selection guides, e.g. SMC: 0.5 or less).
+/// Load factor for fast, dynamic motion: half the theoretical force moves the load, the rest accelerates it, pushes
+/// out the exhaust air and overcomes the seals (makers' selection guides, e.g. SMC: 0.5 or less).
 pub const LOAD_FACTOR_FAST: f64 = 0.5;
 /// Load factor for general use (makers' selection guides: 0.7).
 pub const LOAD_FACTOR_GENERAL: f64 = 0.7;
