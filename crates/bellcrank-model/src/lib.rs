@@ -28,6 +28,7 @@ mod scalar;
 mod schema;
 mod signals;
 mod starter;
+mod trial;
 pub mod verify;
 
 pub use check::{BodyFact, Check, JointFact};

@@ -27,11 +27,18 @@ pub(crate) struct Built<T = f64> {
     pub(crate) geometry: Geometry<T>,
 }
 
+impl<T: Scalar> Built<T> {
+    /// Nothing yet, for [`rebuild`].
+    pub(crate) fn empty() -> Built<T> {
+        let gravity = [T::zero(); 3];
+        let blueprint = Blueprint { gravity, bodies: Vec::new(), joints: Vec::new(), forces: Vec::new(), inputs: 0 };
+        Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() } }
+    }
+}
+
 /// Evaluates a model. What the numbers are not fit for is reported; then there is no result.
 pub(crate) fn build<T: Scalar>(design: &Design, values: &Values<T>, faults: &mut Vec<Diagnostic>) -> Option<Built<T>> {
-    let gravity = [T::zero(); 3];
-    let blueprint = Blueprint { gravity, bodies: Vec::new(), joints: Vec::new(), forces: Vec::new(), inputs: 0 };
-    let mut built = Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() } };
+    let mut built = Built::empty();
     rebuild(design, values, &mut built, faults).then_some(built)
 }
 

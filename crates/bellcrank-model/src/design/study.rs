@@ -56,6 +56,18 @@ pub(crate) struct Hold {
     pub(crate) at: Option<Quantity>,
 }
 
+impl Study {
+    /// The swept coordinate; none where the rows run over time, or there is one.
+    pub(crate) fn axis(&self) -> Option<Coordinate> {
+        match &self.task {
+            Task::Motion { over: Over::Positions { sweep, .. }, .. } | Task::Statics { sweep: Some(sweep), .. } => {
+                Some(sweep.coordinate)
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Sweep {
     fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
         visit(&self.from);

@@ -52,6 +52,11 @@ impl<'d> Namer<'d> {
         shown(value, &self.design.units.of(Measure::position(self.motion(c))))
     }
 
+    /// `time = 0.5 s`.
+    pub(crate) fn time(&self, value: f64) -> String {
+        format!("time = {}", shown(value, &self.design.units.of(Measure::Time)))
+    }
+
     fn effort(&self, c: Coordinate, value: f64) -> String {
         shown(value, &self.design.units.of(Measure::effort(self.motion(c))))
     }

@@ -1,6 +1,7 @@
 //! Running studies: the loop, what is recorded, and what is said when something fails.
 
 mod animation;
+mod course;
 mod explain;
 pub(crate) mod inputs;
 mod notes;
@@ -19,6 +20,8 @@ use crate::progress::Progress;
 use session::Session;
 
 pub(crate) use animation::arrows;
+pub(crate) use course::{Assembly, Course, Laws, Path, Targets};
+pub(crate) use inputs::{Evaluated, Inputs};
 pub(crate) use explain::{Namer, failure};
 
 /// Runs a study that this version runs. What goes wrong is in the result.

@@ -2,10 +2,12 @@
 
 mod catalogue;
 mod columns;
+mod probe;
 mod reading;
 mod resolver;
 
 pub(crate) use catalogue::{Catalogue, ForceLayout, JointLayout, Layout, Outputs, Signal, Source};
 pub(crate) use columns::{Column, Level, reaction_components};
+pub(crate) use probe::Probe;
 pub(crate) use reading::{MOST, View};
 pub(crate) use resolver::{AllSignals, InstantSignals, TimeOnly};

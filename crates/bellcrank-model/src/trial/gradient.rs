@@ -3,7 +3,7 @@
 //! The derivative of a maximum is that of the curve at the active position (the envelope theorem: inside the rows the
 //! curve has no slope there). Other local maxima are pieces of their own, for who follows the highest of them.
 
-use bellcrank_doc::{Number, ReductionKind};
+use bellcrank_doc::ReductionKind;
 use bellcrank_math::Real;
 use bellcrank_multibody::{Coordinate, Engine, MechanismError, Prescription, SEEDS, Seeded};
 

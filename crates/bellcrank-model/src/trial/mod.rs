@@ -12,3 +12,6 @@ mod machine;
 pub(crate) use asked::{Asked, Curve};
 pub(crate) use gradient::{Derived, Piece};
 pub(crate) use machine::{Trial, Undefined};
+
+#[cfg(test)]
+mod tests;
