@@ -13,7 +13,7 @@ use crate::build::{self, Built};
 use crate::design::{ScopeId, Task, Values};
 use crate::run::{Evaluated, Inputs, Laws, Targets};
 use crate::scalar::{Exact, Scalar};
-use crate::signals::{Level, Probe, View};
+use crate::signals::{Level, Probe, Signal, Source, View, reaction_components};
 
 /// One smooth piece of a response.
 #[derive(Clone, Debug)]
@@ -61,20 +61,39 @@ impl<'d> Trial<'d> {
     /// # Errors
     /// Where a position is singular on the way.
     pub(crate) fn gradients(&mut self, by: &[usize]) -> Result<Vec<Derived>, Undefined> {
+        self.note_ambiguous();
         self.polish()?;
         let mut derived: Vec<Derived> = Vec::new();
-        for (chunk, some) in by.chunks(SEEDS).enumerate() {
-            self.seed(some)?;
+        for group in self.independent(by) {
+            let some: Vec<usize> = group.iter().map(|&place| by[place]).collect();
+            self.seed(&some)?;
             let lanes = self.lanes()?;
             for index in 0..self.asked.len() {
                 let pieces = self.pieces(index, &lanes);
-                if chunk == 0 {
-                    derived.push(Derived::new(&pieces));
+                if derived.len() == index {
+                    derived.push(Derived::new(&pieces, by.len()));
                 }
-                derived[index].extend(&pieces, some.len());
+                derived[index].take(&pieces, &group);
             }
         }
         Ok(derived)
+    }
+
+    /// Places in `by`, in groups that are seeded at once: what follows another parameter is not seeded beside it, as a
+    /// seed takes the place of the definition.
+    fn independent(&self, by: &[usize]) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for (place, &index) in by.iter().enumerate() {
+            let follows = |a: usize, b: usize| a == b || self.parameters.depends_on(a, b);
+            let apart = |group: &&mut Vec<usize>| {
+                group.len() < SEEDS && !group.iter().any(|&p| follows(by[p], index) || follows(index, by[p]))
+            };
+            match groups.iter_mut().find(apart) {
+                Some(group) => group.push(place),
+                None => groups.push(vec![place]),
+            }
+        }
+        groups
     }
 
     /// Puts derivatives by up to [`SEEDS`] parameters into every number of the machine.
@@ -142,7 +161,37 @@ impl<'d> Trial<'d> {
     fn read_lanes(&self, curve: usize) -> Seeded {
         let Some(tangents) = &self.tangents else { return Seeded::default() };
         let (values, signals) = (tangents.values.of(ScopeId(0)), &tangents.probe.values);
-        Seeded::of(self.asked.curves[curve].expression.eval(values, signals))
+        let value = Seeded::of(self.asked.curves[curve].expression.eval(values, signals));
+        if self.ambiguous.get(curve) == Some(&true) { Seeded { eps: [f64::NAN; SEEDS], ..value } } else { value }
+    }
+
+    /// Curves over reactions that equilibrium does not determine: the least of many has a value, and no derivative.
+    fn note_ambiguous(&mut self) {
+        let reaction = |signal: &Signal| matches!(signal.source, Source::Reaction(_));
+        self.ambiguous = vec![false; self.asked.curves.len()];
+        let Some(engine) = self.engine.as_deref_mut().filter(|_| self.signals.iter().any(reaction)) else { return };
+        if self.level < Level::Force {
+            return;
+        }
+        let unique = engine.uniqueness();
+        let components = reaction_components(self.design.planar);
+        let certain = |signal: &Signal| match signal.source {
+            Source::Reaction(joint) => match components.get(signal.part) {
+                Some((_, place)) => unique[joint][*place],
+                // Magnitudes are certain when all components are.
+                None => unique[joint].iter().all(|unique| *unique),
+            },
+            _ => true,
+        };
+        for (curve, ambiguous) in self.asked.curves.iter().zip(&mut self.ambiguous) {
+            *ambiguous = curve.expression.signals().iter().any(|&i| self.signals.get(i).is_some_and(|s| !certain(s)));
+        }
+    }
+
+    /// Whether a response depends on reactions that equilibrium does not determine; known after
+    /// [`Trial::gradients`].
+    pub(crate) fn is_ambiguous(&self, index: usize) -> bool {
+        self.asked.reductions(index).any(|curve| self.ambiguous.get(curve) == Some(&true))
     }
 
     /// Extremes between rows, to where the curve has no slope.
@@ -299,15 +348,16 @@ impl Lanes {
 }
 
 impl Derived {
-    fn new(pieces: &[Seeded]) -> Derived {
-        let piece = |x: &Seeded| Piece { value: x.re, gradient: Vec::new() };
+    fn new(pieces: &[Seeded], count: usize) -> Derived {
+        let piece = |x: &Seeded| Piece { value: x.re, gradient: vec![0.0; count] };
         Derived { active: piece(&pieces[0]), others: pieces[1..].iter().map(piece).collect() }
     }
 
-    fn extend(&mut self, pieces: &[Seeded], lanes: usize) {
-        self.active.gradient.extend_from_slice(&pieces[0].eps[..lanes]);
-        for (other, x) in self.others.iter_mut().zip(&pieces[1..]) {
-            other.gradient.extend_from_slice(&x.eps[..lanes]);
+    /// Derivatives of a group of parameters, lane by lane to their places.
+    fn take(&mut self, pieces: &[Seeded], group: &[usize]) {
+        let all = std::iter::once(&mut self.active).chain(&mut self.others);
+        for (piece, x) in all.zip(pieces) {
+            group.iter().zip(x.eps).for_each(|(&place, eps)| piece.gradient[place] = eps);
         }
     }
 }

@@ -51,6 +51,8 @@ pub(crate) struct Trial<'d> {
     numbers: Vec<f64>,
     /// Coordinates that nothing holds at rest.
     pub(super) free: Vec<Coordinate>,
+    /// Curves without derivatives.
+    pub(super) ambiguous: Vec<bool>,
     pub(super) tangents: Option<Box<super::gradient::Tangents<'d>>>,
     /// What the parameters were fixed to at the last run.
     pub(super) fixed: Vec<(usize, f64)>,
@@ -93,6 +95,7 @@ impl<'d> Trial<'d> {
             reduced: vec![Reduced::default(); curves],
             numbers: Vec::new(),
             free: Vec::new(),
+            ambiguous: Vec::new(),
             tangents: None,
             fixed: Vec::new(),
             positions: 0,

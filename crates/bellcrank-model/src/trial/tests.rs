@@ -60,3 +60,86 @@ fn the_papers_sensitivities() {
         assert!((found - wanted).abs() < 5e-5, "{relative:?}");
     }
 }
+
+/// Every shipped machine with its studies over positions, over time and at rest.
+fn machines() -> Vec<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models");
+    let mut files = Vec::new();
+    for folder in std::fs::read_dir(root).expect("models").filter_map(Result::ok) {
+        let inside = std::fs::read_dir(folder.path()).into_iter().flatten().filter_map(Result::ok);
+        let toml = |path: &PathBuf| {
+            path.extension().is_some_and(|e| e == "toml") && path.file_stem().is_some_and(|stem| stem != "expected")
+        };
+        files.extend(inside.map(|entry| entry.path()).filter(toml));
+    }
+    files.sort();
+    files.into_iter().map(|file| file.display().to_string()).collect()
+}
+
+/// Responses over a spread of a study's signals.
+fn responses(model: &Model, study: &Study) -> Vec<String> {
+    let forces = !matches!(study.task, crate::design::Task::Motion { forces: false, .. });
+    let names: Vec<String> = model.design().catalogue.names().collect();
+    let kinds = ["max", "mean", "rms", "min", "range", "first", "last"];
+    let usable = |name: &&String| {
+        let force = name.starts_with("drive.") || name.contains(".reaction.") || name.starts_with("force.");
+        !name.starts_with("check.") && name.as_str() != "time" && (forces || !force) && !name.starts_with("drive.")
+    };
+    let stride = (names.len() / 14).max(1);
+    let some = names.iter().filter(usable).step_by(stride).enumerate();
+    some.map(|(i, name)| format!("{}({name})", kinds[i % kinds.len()])).collect()
+}
+
+/// Richardson's extrapolation of central differences and its uncertainty.
+fn difference(trial: &mut Trial<'_>, parameter: usize, value: f64, size: f64) -> Option<Vec<(f64, f64)>> {
+    let mut levels: Vec<Vec<f64>> = Vec::new();
+    for level in 0..3 {
+        let h = size * 1e-3 / f64::from(1 << level);
+        let up = trial.run(&[(parameter, value + h)]).ok()?.to_vec();
+        let down = trial.run(&[(parameter, value - h)]).ok()?.to_vec();
+        levels.push(up.iter().zip(&down).map(|(a, b)| (a - b) / (2.0 * h)).collect());
+    }
+    let better = |a: &[f64], b: &[f64], k: f64| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b + (b - a) / k).collect() };
+    let (one, two) = (better(&levels[0], &levels[1], 3.0), better(&levels[1], &levels[2], 3.0));
+    let best = better(&one, &two, 15.0);
+    Some(best.iter().zip(&two).map(|(a, b)| (*a, (a - b).abs())).collect())
+}
+
+#[test]
+fn derivatives_of_responses_on_every_shipped_machine() {
+    let (mut compared, mut uncertain) = (0, 0);
+    for file in machines() {
+        let model = load(Path::new(&file), &[]).model.expect("a model");
+        for study in model.study_list().iter().filter(|study| !matches!(study.task, crate::design::Task::Later)) {
+            let texts = responses(&model, study);
+            let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+            let (asked, signals) = asked(&model, study, &texts);
+            let mut trial = Trial::new(model.design(), study, &study.parameters, &signals, asked);
+            let what = format!("{file} {}", study.name);
+            let Ok(values) = trial.run(&[]).map(<[f64]>::to_vec) else { continue };
+            let by: Vec<usize> = (0..study.parameters.all().len()).step_by(3).take(5).collect();
+            let derived = match trial.gradients(&by) {
+                Ok(derived) => derived,
+                Err(why) => panic!("{what}: {}", why.message),
+            };
+            for (lane, &p) in by.iter().enumerate() {
+                let value = study.parameters.values()[p];
+                let size = if value == 0.0 { 1.0 } else { value.abs() };
+                let Some(differences) = difference(&mut trial, p, value, size) else { continue };
+                for (i, (d, error)) in differences.iter().enumerate() {
+                    let exact = derived[i].active.gradient[lane];
+                    // Redundant loops that one length alone would tear open have no derivative.
+                    if exact.is_nan() || *error > 1e-6 * d.abs().max(values[i].abs() / size) {
+                        uncertain += 1;
+                        continue;
+                    }
+                    compared += 1;
+                    let scale = d.abs().max(values[i].abs() / size).max(1e-5);
+                    let name = &study.parameters.all()[p].name;
+                    assert!((exact - d).abs() <= 2e-6 * scale, "{what} {} by {name}: {exact} and {d} ± {error}", texts[i]);
+                }
+            }
+        }
+    }
+    assert!(compared > 10 * uncertain && compared > 400, "{compared} compared, {uncertain} uncertain");
+}
