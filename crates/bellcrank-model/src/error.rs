@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::schema::AVAILABLE;
+
 /// A study that was not run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RunError {
@@ -18,7 +20,7 @@ pub enum RunError {
     NotAvailable {
         /// The study.
         study: String,
-        /// Its kind.
+        /// Its kind, or that of the study it asks.
         kind: String,
     },
 }
@@ -34,7 +36,7 @@ impl RunError {
             }
             RunError::UnknownStudy { known, .. } => vec![format!("studies of this file: {}", known.join(", "))],
             RunError::NotAvailable { .. } => {
-                vec!["this version runs kinematics, inverse-dynamics and statics".to_owned()]
+                vec![format!("this version runs {}", AVAILABLE.join(", "))]
             }
         }
     }

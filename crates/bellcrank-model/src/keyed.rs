@@ -82,6 +82,18 @@ impl<'a> Keyed<'a> {
         }
     }
 
+    /// The raw value of a key that is needed here, whatever the schema says of it elsewhere.
+    pub(crate) fn needed(&self, name: &'static str) -> Option<&'a Value> {
+        self.key(name)?;
+        self.fields.value(name)
+    }
+
+    /// A value over the parameters whose dimension follows from elsewhere.
+    pub(crate) fn free(&self, name: &'static str, dimension: Dimension) -> Option<Expression> {
+        let Shape::Free = self.key(name)?.shape else { return None };
+        self.fields.optional_quantity(name, dimension)
+    }
+
     /// A value over the parameters, along a joint coordinate.
     pub(crate) fn along(&self, name: &'static str, motion: Motion) -> Option<Expression> {
         let key = self.key(name)?;

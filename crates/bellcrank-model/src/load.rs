@@ -6,7 +6,7 @@ use bellcrank_doc::{Diagnostic, Diagnostics, Override, SourceId, Sources};
 
 use crate::Model;
 use crate::build::{self, check_connected};
-use crate::design::{Design, Study, Values};
+use crate::design::{Design, Study, Task, Values};
 use crate::model::Parts;
 use crate::provenance;
 use crate::read::{ReadModel, Tables, read_files, read_model};
@@ -73,10 +73,15 @@ fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
     if whole && found.is_empty() {
         found.extend(build::implausible(&read.design, &values));
     }
-    for study in &read.studies {
+    let (asking, plain): (Vec<&Study>, Vec<&Study>) =
+        read.studies.iter().partition(|study| matches!(study.task, Task::Ask(_)));
+    let mut told = found.clone();
+    for study in plain.into_iter().chain(asking) {
         let in_study = if study.changed.is_empty() { Vec::new() } else { faults(&read.design, &study.values, whole) };
-        // What is wrong without the study, too, has been told.
-        let new = in_study.into_iter().filter(|fault| !found.contains(fault)).collect::<Vec<_>>();
+        // What is wrong without the study, or in the study that it asks, has been told.
+        let known = if matches!(study.task, Task::Ask(_)) { &told } else { &found };
+        let new = in_study.into_iter().filter(|fault| !known.contains(fault)).collect::<Vec<_>>();
+        told.extend(new.iter().cloned());
         found.extend(new.into_iter().map(|fault| with_study(fault, study)));
         let wrong = study.faults(&read.design);
         if wrong.is_empty() {

@@ -8,7 +8,6 @@ use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult
 
 use crate::build::{self, Built};
 use crate::design::{Design, Study, Values};
-use crate::schema::AVAILABLE;
 use crate::{Check, Progress, RunError, check, drawing, provenance, run};
 
 /// A study as the file names it.
@@ -18,7 +17,7 @@ pub struct StudyInfo {
     pub name: String,
     /// Kind, as in the file.
     pub kind: String,
-    /// Whether this version runs it.
+    /// Whether this version runs it, and the study that it asks, if any.
     pub available: bool,
 }
 
@@ -118,7 +117,7 @@ impl Model {
         let info = |study: &Study| StudyInfo {
             name: study.name.clone(),
             kind: study.kind.to_owned(),
-            available: AVAILABLE.contains(&study.kind),
+            available: study.missing_kind().is_none(),
         };
         self.parts.studies.iter().map(info).collect()
     }
@@ -166,7 +165,7 @@ impl Model {
         let mut warnings = Vec::new();
         let chosen: Vec<&Study> = if studies.is_empty() {
             let (available, later): (Vec<&Study>, Vec<&Study>) =
-                self.parts.studies.iter().partition(|study| AVAILABLE.contains(&study.kind));
+                self.parts.studies.iter().partition(|study| study.missing_kind().is_none());
             warnings.extend(later.into_iter().map(left_out));
             available
         } else {
@@ -211,10 +210,10 @@ impl Model {
                 known: known().map(str::to_owned).collect(),
             });
         };
-        if !AVAILABLE.contains(&study.kind) {
-            return Err(RunError::NotAvailable { study: name.to_owned(), kind: study.kind.to_owned() });
+        match study.missing_kind() {
+            Some(kind) => Err(RunError::NotAvailable { study: name.to_owned(), kind: kind.to_owned() }),
+            None => Ok(study),
         }
-        Ok(study)
     }
 
     pub(crate) fn design(&self) -> &Design {
@@ -231,7 +230,8 @@ impl Model {
 }
 
 fn left_out(study: &Study) -> String {
-    format!("study `{}` was left out: studies of kind `{}` are not in this version", study.name, study.kind)
+    let kind = study.missing_kind().unwrap_or(study.kind);
+    format!("study `{}` was left out: studies of kind `{kind}` are not in this version", study.name)
 }
 
 /// One parameter of a set, as results tell it.

@@ -65,6 +65,15 @@ impl<'p> Reader<'p> {
         self.expression(value, Purpose { what, dimension: Some(dimension) }, signals)
     }
 
+    /// A difference of values of the given dimension over the parameters, as a tolerance is one: 2 degC are 2 K.
+    pub fn difference(&self, value: &Value, what: &str, dimension: Dimension) -> Option<Expression> {
+        self.collect(|own| {
+            let written = WrittenValue::of(value, what, own)?;
+            let mut scope = Scope { parameters: self.parameters, signals: &mut NoSignals };
+            written.difference(Purpose { what, dimension: Some(dimension) }, &mut scope, own)
+        })
+    }
+
     /// A value of any dimension, over the parameters and signals.
     pub fn any_quantity(&self, value: &Value, what: &str, signals: &mut dyn Signals) -> Option<Expression> {
         self.expression(value, Purpose { what, dimension: None }, signals)

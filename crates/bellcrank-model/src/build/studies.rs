@@ -27,7 +27,7 @@ impl Study {
                 }
                 check_motions(&mut numbers, motions);
             }
-            Task::Later => {}
+            Task::Ask(_) | Task::Later => {}
         }
         faults
     }

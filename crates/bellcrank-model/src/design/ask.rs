@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use bellcrank_doc::{Constraint, Distribution, Expression, Response, Span};
+use bellcrank_doc::{Constraint, Distribution, Expression, ParameterSet, Reduction, Response, Span, Spread};
 
 use crate::signals::Signal;
 
@@ -83,7 +83,8 @@ pub(crate) struct Varied {
 /// Values that a parameter takes.
 #[derive(Clone, Debug)]
 pub(crate) enum Levels {
-    /// From .. to; the bounds of the parameter where not given. With so many levels in a grid.
+    /// From .. to; the bounds of the parameter where not given, one of which there is then. With so many levels in a
+    /// grid.
     Range { from: Option<Expression>, to: Option<Expression>, points: usize },
     /// These.
     List(Vec<Expression>),
@@ -112,13 +113,14 @@ pub(crate) struct Designs {
     pub(crate) pareto: Option<[(usize, bool); 2]>,
 }
 
-/// How a dimension scatters, where the study says other than the parameter.
+/// How a dimension scatters, where the study says other than the parameter: [`Scattered::spread`] is both together.
 #[derive(Clone, Debug)]
 pub(crate) struct Scattered {
     pub(crate) parameter: usize,
     pub(crate) span: Span,
     pub(crate) half_width: Option<Expression>,
     pub(crate) sigma: Option<Expression>,
+    /// That of the study for parameters without one is here, too.
     pub(crate) distribution: Option<Distribution>,
 }
 
@@ -133,7 +135,65 @@ pub(crate) struct Tolerance {
     pub(crate) sobol: bool,
 }
 
+impl Scattered {
+    /// A parameter of which the study says nothing else.
+    pub(crate) fn of(parameter: usize, span: Span) -> Scattered {
+        Scattered { parameter, span, half_width: None, sigma: None, distribution: None }
+    }
+
+    /// How it scatters: the widths of the study where it gives one, else those of the parameter.
+    pub(crate) fn spread(&self, parameters: &ParameterSet, values: &[f64]) -> Spread {
+        let own = parameters.all().get(self.parameter).map(|parameter| parameter.spread).unwrap_or_default();
+        let at = |width: &Option<Expression>| width.as_ref().map(|width| width.eval(values, &[]));
+        let distribution = self.distribution.or(own.distribution);
+        match (at(&self.half_width), at(&self.sigma)) {
+            (None, None) => Spread { distribution, ..own },
+            (half_width, sigma) => Spread { half_width, distribution, sigma },
+        }
+    }
+}
+
+impl Ask {
+    /// Parameters that it names or uses.
+    pub(crate) fn parameters(&self) -> Vec<usize> {
+        let mut all = self.question.named();
+        self.question.each_expression(&mut |expression| all.extend(expression.parameters()));
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+}
+
 impl Question {
+    /// Every expression in it, those of curves and their places among them.
+    pub(crate) fn each_expression(&self, visit: &mut dyn FnMut(&Expression)) {
+        match self {
+            Question::Sensitivity(of) => in_response(&of.response, visit),
+            Question::Optimize(of) => {
+                of.terms.iter().for_each(|term| in_response(&term.response, visit));
+                of.variables.iter().flat_map(|v| [&v.min, &v.max]).flatten().for_each(&mut *visit);
+                for constraint in &of.constraints {
+                    [&constraint.left, &constraint.right].into_iter().for_each(&mut *visit);
+                    in_reductions(&constraint.reductions, visit);
+                }
+            }
+            Question::Designs(of) => {
+                of.responses.iter().for_each(|one| in_response(&one.response, visit));
+                for varied in &of.vary {
+                    match &varied.levels {
+                        Levels::Range { from, to, .. } => [from, to].into_iter().flatten().for_each(&mut *visit),
+                        Levels::List(values) => values.iter().for_each(&mut *visit),
+                    }
+                }
+            }
+            Question::Tolerance(of) => {
+                in_response(&of.response, visit);
+                of.scattered.iter().flat_map(|s| [&s.half_width, &s.sigma]).flatten().for_each(&mut *visit);
+                of.limits.iter().flatten().for_each(&mut *visit);
+            }
+        }
+    }
+
     /// Parameters that it names.
     pub(crate) fn named(&self) -> Vec<usize> {
         match self {
@@ -143,4 +203,13 @@ impl Question {
             Question::Tolerance(of) => of.scattered.iter().map(|s| s.parameter).collect(),
         }
     }
+}
+
+fn in_response(response: &Response, visit: &mut dyn FnMut(&Expression)) {
+    visit(&response.value);
+    in_reductions(&response.reductions, visit);
+}
+
+fn in_reductions(reductions: &[Reduction], visit: &mut dyn FnMut(&Expression)) {
+    reductions.iter().flat_map(|r| std::iter::once(&r.curve).chain(&r.place)).for_each(visit);
 }

@@ -1,5 +1,6 @@
 //! The checked model: names resolved, dimensions known, values still expressions over the parameters.
 
+mod ask;
 mod force;
 mod joint;
 mod motion;
@@ -11,6 +12,9 @@ use bellcrank_doc::Span;
 use crate::measure::DisplayUnits;
 use crate::signals::Catalogue;
 
+pub(crate) use ask::{
+    Ask, Designs, Levels, Method, NamedResponse, Optimize, Question, Scattered, Sensitivity, Term, Tolerance, Variable, Varied,
+};
 pub(crate) use force::{Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Law, Prescribed, Segment, SegmentKind};

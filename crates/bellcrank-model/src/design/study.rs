@@ -3,7 +3,8 @@
 use bellcrank_doc::{ParameterSet, Span};
 use bellcrank_multibody::Coordinate;
 
-use super::{Quantity, Values};
+use super::{Ask, Quantity, Values};
+use crate::schema::AVAILABLE;
 
 /// A study.
 #[derive(Debug)]
@@ -17,7 +18,7 @@ pub(crate) struct Study {
     pub(crate) parameters: ParameterSet,
     /// Parameters that differ from the model's.
     pub(crate) changed: Vec<usize>,
-    /// Parameters that it names otherwise (`parameters`, `variables`).
+    /// Parameters that it names or uses otherwise (`parameters`, `variables`, `response`).
     pub(crate) named: Vec<usize>,
     pub(crate) values: Values,
 }
@@ -29,7 +30,9 @@ pub(crate) enum Task {
     Motion { forces: bool, over: Over, holds: Vec<Hold> },
     /// Equilibrium, at each position of a held coordinate when swept.
     Statics { sweep: Option<Sweep>, holds: Vec<Hold>, motions: Vec<usize> },
-    /// Checked, not run in this version.
+    /// Something asked of another study.
+    Ask(Box<Ask>),
+    /// Checked, not run in this version: a study of a later kind, or one that asks such a study.
     Later,
 }
 
@@ -57,6 +60,7 @@ pub(crate) struct Hold {
 }
 
 impl Study {
+<<<<<<< HEAD
     /// The swept coordinate; none where the rows run over time, or there is one.
     pub(crate) fn axis(&self) -> Option<Coordinate> {
         match &self.task {
@@ -65,6 +69,14 @@ impl Study {
             }
             _ => None,
         }
+=======
+    /// The kind that this version would have to run for this study, but does not: its own, or that of the study it
+    /// asks.
+    pub(crate) fn missing_kind(&self) -> Option<&'static str> {
+        let asks = AVAILABLE.contains(&self.kind);
+        // Of the kinds that can be asked, one is missing.
+        matches!(self.task, Task::Later).then_some(if asks { "dynamics" } else { self.kind })
+>>>>>>> model-asks
     }
 }
 
@@ -89,7 +101,8 @@ impl Task {
                 }
                 holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit);
             }
-            Task::Later => {}
+            // Its expressions are over the main file's parameters; `Study::named` has them.
+            Task::Ask(_) | Task::Later => {}
         }
     }
 }

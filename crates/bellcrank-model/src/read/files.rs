@@ -4,8 +4,8 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use bellcrank_doc::{
-    Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Override, ParameterSet, Reader, Sources, Span,
-    Spanned, Table, ValueKind, nearest, parse,
+    Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Override, ParameterSet, Reader, SourceId, Sources,
+    Span, Spanned, Table, ValueKind, nearest, parse,
 };
 
 use crate::design::{Scope, ScopeId};
@@ -272,11 +272,21 @@ impl<'s> Tables<'s> {
 
     /// The spline through the table of a file; what is wrong with the file is said at `span` or in the file.
     pub(crate) fn read(&self, path: &Path, position: Dimension, span: Span) -> Result<Spline, Vec<Diagnostic>> {
+        self.with(path, span, |sources, id, diagnostics| read_table(sources, id, Columns { position }, diagnostics))
+    }
+
+    /// What `read` makes of the text of a file; what is wrong with the file is said at `span` or in the file.
+    pub(crate) fn with<T>(
+        &self,
+        path: &Path,
+        span: Span,
+        read: impl FnOnce(&Sources, SourceId, &mut Diagnostics) -> Option<T>,
+    ) -> Result<T, Vec<Diagnostic>> {
         let mut diagnostics = Diagnostics::new();
         let mut sources = self.sources.borrow_mut();
-        let spline = read_source(&mut sources, path, &mut diagnostics)
-            .and_then(|id| read_table(&sources, id, Columns { position }, &mut diagnostics));
-        spline.ok_or_else(|| diagnostics.into_iter().map(|report| placed(report, span)).collect())
+        let found =
+            read_source(&mut sources, path, &mut diagnostics).and_then(|id| read(&sources, id, &mut diagnostics));
+        found.ok_or_else(|| diagnostics.into_iter().map(|report| placed(report, span)).collect())
     }
 }
 

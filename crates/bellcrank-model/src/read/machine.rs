@@ -222,7 +222,7 @@ fn read_parts<'a>(
     joints::read(&all, &mut machine);
     let forces = forces::read(&all, &machine);
     let motions = motions::read(&all, &machine, tables);
-    let studies = studies::read(all[0], &machine, &motions, &forces.catalogue, scopes);
+    let studies = studies::read(all[0], &machine, &motions, tables, &forces.catalogue, scopes);
     Some((head?, machine, forces, motions.list, studies))
 }
 

@@ -3,6 +3,7 @@
 //! Files are read together, sort by sort: all bodies, then joints, then forces, motions and studies, so that a
 //! file may refer to what its subsystems hold.
 
+mod asks;
 mod bodies;
 mod context;
 mod files;

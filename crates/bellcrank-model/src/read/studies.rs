@@ -1,17 +1,22 @@
 //! `[studies]`.
 
-use bellcrank_doc::{Diagnostic, Entry, Fields, ParameterSet, Span, nearest};
+use std::cell::RefCell;
+use std::path::Path;
+use std::sync::Arc;
+
+use bellcrank_doc::{Diagnostic, Entry, Fields, Override, ParameterSet, Span, Spanned};
 use bellcrank_multibody::Coordinate;
 
+use super::asks::{self, Asked, Asking, design_table};
 use super::bodies::entries;
 use super::motions::ReadMotions;
-use super::study_keys::{Referred, StudyKeys};
-use super::{Machine, PartReader};
+use super::study_keys::{Referred, StudyKeys, overlaid};
+use super::{Machine, PartReader, Tables};
 use crate::design::{Over, Scope, Study, Task, Values};
 use crate::keyed::Keyed;
 use crate::names;
-use crate::schema::{AVAILABLE, STUDY};
-use crate::signals::Catalogue;
+use crate::schema::{ASKING, AVAILABLE, STUDY, WITH_ROWS};
+use crate::signals::{Catalogue, Signal};
 
 /// Studies that lie on each other by `like`; more is a slip.
 const DEEPEST: usize = 100;
@@ -36,12 +41,17 @@ pub(crate) fn read(
     part: PartReader<'_>,
     machine: &Machine,
     motions: &ReadMotions,
+    tables: &Tables<'_>,
     catalogue: &Catalogue,
     scopes: &[Scope],
 ) -> Vec<Study> {
     let entries = entries(&part, "studies");
     let names: Vec<&str> = entries.iter().map(|entry| entry.key.as_str()).collect();
-    let of = Referred { part, machine, motions, catalogue, studies: &names };
+    let signals = RefCell::default();
+    let designs = |path: &Path, span, parameters: &ParameterSet| {
+        tables.with(path, span, |sources, id, reports| design_table(sources, id, parameters, reports))
+    };
+    let of = Referred { part, machine, motions, catalogue, designs: &designs, studies: &names, signals: &signals };
     let mut reading = Reading { of, entries: &entries, states: vec![State::Unread; entries.len()] };
     for (index, entry) in entries.iter().enumerate() {
         if let Some(fault) = names::fault(entry, "study") {
@@ -49,11 +59,10 @@ pub(crate) fn read(
         }
         reading.study(index, 0);
     }
-    let finished = |(entry, state): (&&Entry, State)| match state {
-        State::Read(kind, keys) => finish(entry, kind, *keys, of, scopes),
-        _ => None,
-    };
-    entries.iter().zip(reading.states).filter_map(finished).collect()
+    let states = reading.states;
+    let signals: Arc<[Signal]> = signals.take().into();
+    let finishing = Finishing { of, entries: &entries, states: &states, scopes, signals };
+    finishing.studies()
 }
 
 impl<'a> Reading<'a> {
@@ -99,8 +108,7 @@ impl<'a> Reading<'a> {
     fn beneath(&mut self, name: &str, span: Span, depth: usize) -> Option<(&'static str, StudyKeys)> {
         let reader = self.of.part.reader;
         let Some(index) = self.entries.iter().position(|entry| entry.key == name) else {
-            let report = Diagnostic::error("unknown-name", span, format!("there is no study `{name}`"));
-            reader.report(report.did_you_mean(nearest(name, self.of.studies.iter().copied())));
+            reader.report(self.of.unknown_study(Spanned { value: name, span }));
             return None;
         };
         if depth >= DEEPEST {
@@ -122,20 +130,102 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// The study that its own and inherited keys make.
-fn finish(entry: &Entry, kind: &'static str, keys: StudyKeys, of: Referred<'_>, scopes: &[Scope]) -> Option<Study> {
-    let base = of.part.reader.parameters();
-    let (parameters, changed) = parameters(base, &keys, of)?;
-    let values = Values::new(scopes, &parameters);
-    let named = keys.named.clone();
-    let task = task(entry, kind, keys, of)?;
-    Some(Study { name: entry.key.clone(), span: entry.key_span, kind, task, parameters, changed, named, values })
+/// From the keys of all studies to studies.
+struct Finishing<'a> {
+    of: Referred<'a>,
+    entries: &'a [&'a Entry],
+    states: &'a [State],
+    scopes: &'a [Scope],
+    /// Of responses in all studies.
+    signals: Arc<[Signal]>,
 }
 
-/// The main file's parameters with what the study sets, and which ones it sets.
-fn parameters(base: &ParameterSet, keys: &StudyKeys, of: Referred<'_>) -> Option<(ParameterSet, Vec<usize>)> {
-    let changed = keys.set.iter().filter_map(|one| base.index(&one.name)).collect();
-    match base.with_overrides(&keys.set) {
+impl Finishing<'_> {
+    /// In the order of the file; those that ask need to know which of the others are sound.
+    fn studies(&self) -> Vec<Study> {
+        let mut finished: Vec<Option<Study>> = (0..self.entries.len()).map(|index| self.plain(index)).collect();
+        for index in 0..self.entries.len() {
+            if let Some(study) = self.asking(index, &finished) {
+                finished[index] = Some(study);
+            }
+        }
+        finished.into_iter().flatten().collect()
+    }
+
+    fn read(&self, index: usize) -> Option<(&'static str, &StudyKeys)> {
+        match self.states.get(index)? {
+            State::Read(kind, keys) => Some((kind, keys)),
+            _ => None,
+        }
+    }
+
+    /// A study that asks no other one: what its own and inherited keys make.
+    fn plain(&self, index: usize) -> Option<Study> {
+        let (kind, keys) = self.read(index).filter(|(kind, _)| !ASKING.contains(kind))?;
+        let entry = self.entries[index];
+        let (parameters, changed) = parameters(self.of, &keys.set)?;
+        let task = task(entry, kind, keys.clone(), self.of)?;
+        Some(self.study(entry, kind, task, parameters, changed))
+    }
+
+    /// A study that asks another one: its parameters are those of that study, and what it sets itself.
+    fn asking(&self, index: usize, finished: &[Option<Study>]) -> Option<Study> {
+        let (kind, keys) = self.read(index).filter(|(kind, _)| ASKING.contains(kind))?;
+        let entry = self.entries[index];
+        let asked_index = self.asked(keys)?;
+        let (asked_kind, asked_keys) = self.read(asked_index)?;
+        // What is wrong with that study has been told.
+        finished[asked_index].as_ref()?;
+        let (parameters, changed) = parameters(self.of, &overlaid(asked_keys.set.clone(), keys.set.clone()))?;
+        let name = self.entries[asked_index].key.as_str();
+        let asked = Asked { name, kind: asked_kind, keys: asked_keys, of: self.of };
+        let signals = &self.signals;
+        let asking = Asking { entry, kind, part: self.of.part, asked: &asked, parameters: &parameters, signals };
+        let ask = asks::ask(&asking, keys.ask.clone())?;
+        let task = if AVAILABLE.contains(&asked_kind) { Task::Ask(Box::new(ask)) } else { Task::Later };
+        Some(self.study(entry, kind, task, parameters, changed))
+    }
+
+    /// The study that another one asks: one with rows.
+    fn asked(&self, keys: &StudyKeys) -> Option<usize> {
+        let name = keys.ask.of()?;
+        let reader = self.of.part.reader;
+        let Some(index) = self.entries.iter().position(|entry| entry.key == name.value) else {
+            reader.report(self.of.unknown_study(name));
+            return None;
+        };
+        let (kind, _) = self.read(index)?;
+        if WITH_ROWS.contains(&kind) {
+            return Some(index);
+        }
+        let message = format!("study `{}` is of kind `{kind}` and has no rows to ask", name.value);
+        let report = Diagnostic::error("no-rows", name.span, message).also(self.entries[index].key_span, "this study");
+        reader.report(report.hint(match self.read(index).and_then(|(_, keys)| keys.ask.of()) {
+            Some(further) => format!("ask the study that it asks: `of = \"{}\"`", further.value),
+            None => format!("ask one of kind {}", WITH_ROWS.join(", ")),
+        }));
+        None
+    }
+
+    fn study(
+        &self,
+        entry: &Entry,
+        kind: &'static str,
+        task: Task,
+        parameters: ParameterSet,
+        changed: Vec<usize>,
+    ) -> Study {
+        let named = if let Task::Ask(ask) = &task { ask.parameters() } else { Vec::new() };
+        let values = Values::new(self.scopes, &parameters);
+        Study { name: entry.key.clone(), span: entry.key_span, kind, task, parameters, changed, named, values }
+    }
+}
+
+/// The main file's parameters with what a study sets, and which ones it sets.
+fn parameters(of: Referred<'_>, set: &[Override]) -> Option<(ParameterSet, Vec<usize>)> {
+    let base = of.part.reader.parameters();
+    let changed = set.iter().filter_map(|one| base.index(&one.name)).collect();
+    match base.with_overrides(set) {
         Ok((parameters, warnings)) => {
             warnings.into_iter().for_each(|warning| of.part.reader.report(warning));
             Some((parameters, changed))

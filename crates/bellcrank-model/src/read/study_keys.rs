@@ -1,15 +1,19 @@
 //! The keys of one study, before those of the study it is like are put beneath them.
 
-use bellcrank_doc::{Diagnostic, Dimension, Override, Span, Spanned, Value, nearest};
+use std::cell::RefCell;
+use std::path::Path;
+
+use bellcrank_doc::{Constraint, Diagnostic, Dimension, Override, ParameterSet, Response, Span, Spanned, Value, nearest};
 use bellcrank_multibody::Coordinate;
 
+use super::asks::{AskKeys, DesignTable};
 use super::motions::ReadMotions;
 use super::{Machine, PartReader};
 use crate::design::{Hold, Quantity, Sweep};
 use crate::keyed::Keyed;
 use crate::measure::Motion;
-use crate::schema::Along;
-use crate::signals::{AllSignals, Catalogue};
+use crate::schema::{ASKING, Along};
+use crate::signals::{AllSignals, Catalogue, Signal};
 
 /// What the keys of a study say; `None` where a key is absent (or wrong, and reported).
 #[derive(Clone, Debug, Default)]
@@ -22,8 +26,8 @@ pub(crate) struct StudyKeys {
     pub(crate) motions: Option<Vec<usize>>,
     pub(crate) drives: Option<Vec<Coordinate>>,
     pub(crate) set: Vec<Override>,
-    /// Parameters that the study varies.
-    pub(crate) named: Vec<usize>,
+    /// What it asks of another study.
+    pub(crate) ask: AskKeys,
 }
 
 /// The key `drive`.
@@ -34,6 +38,9 @@ pub(crate) struct Drive {
     pub(crate) acceleration: Option<Quantity>,
 }
 
+/// Reads the table of designs of a file that a place names, over some parameters.
+pub(crate) type DesignFiles<'a> = dyn Fn(&Path, Span, &ParameterSet) -> Result<DesignTable, Vec<Diagnostic>> + 'a;
+
 /// What studies refer to.
 #[derive(Clone, Copy)]
 pub(crate) struct Referred<'a> {
@@ -41,13 +48,42 @@ pub(crate) struct Referred<'a> {
     pub(crate) machine: &'a Machine,
     pub(crate) motions: &'a ReadMotions,
     pub(crate) catalogue: &'a Catalogue,
+    /// Reads tables of designs.
+    pub(crate) designs: &'a DesignFiles<'a>,
     /// Names of all studies.
     pub(crate) studies: &'a [&'a str],
+    /// Signals in responses of all studies: one list, for a study inherits keys of others.
+    pub(crate) signals: &'a RefCell<Vec<Signal>>,
+}
+
+impl Referred<'_> {
+    pub(crate) fn unknown_study(&self, name: Spanned<&str>) -> Diagnostic {
+        let report = Diagnostic::error("unknown-name", name.span, format!("there is no study `{}`", name.value));
+        report.did_you_mean(nearest(name.value, self.studies.iter().copied()))
+    }
+
+    /// One number of a study.
+    pub(crate) fn response(&self, value: &Value, what: &str) -> Option<Response> {
+        self.with_signals(|signals| self.part.reader.response(value, what, signals))
+    }
+
+    /// A comparison of two numbers of a study.
+    pub(crate) fn constraint(&self, value: &Value, what: &str) -> Option<Constraint> {
+        self.with_signals(|signals| self.part.reader.constraint(value, what, signals))
+    }
+
+    fn with_signals<T>(&self, read: impl FnOnce(&mut AllSignals<'_>) -> T) -> T {
+        let mut signals = AllSignals { catalogue: self.catalogue, used: self.signals.take() };
+        let read = read(&mut signals);
+        self.signals.replace(signals.used);
+        read
+    }
 }
 
 impl StudyKeys {
     /// Reads the keys of a study of known kind; `beneath` are those of the study it is like.
     pub(crate) fn read(keyed: &Keyed<'_>, of: Referred<'_>, beneath: &StudyKeys) -> StudyKeys {
+        check_later(keyed, of);
         let sweep = keyed.table("sweep").and_then(|sweep| read_sweep(sweep, of));
         let swept = sweep.as_ref().or(beneath.sweep.as_ref()).map(|(_, motion)| *motion);
         StudyKeys {
@@ -59,7 +95,7 @@ impl StudyKeys {
             motions: read_motions(keyed, of),
             drives: read_drives(keyed, of),
             set: read_set(keyed),
-            named: check_later(keyed, of),
+            ask: AskKeys::read(keyed, of, &beneath.ask),
         }
     }
 
@@ -68,9 +104,6 @@ impl StudyKeys {
     pub(crate) fn over(self, beneath: StudyKeys) -> StudyKeys {
         let hide_positions = self.duration.is_some() || self.step.is_some();
         let hide_time = self.sweep.is_some();
-        let mut set: Vec<Override> =
-            beneath.set.into_iter().filter(|old| self.set.iter().all(|new| new.name != old.name)).collect();
-        set.extend(self.set);
         StudyKeys {
             sweep: self.sweep.or(beneath.sweep.filter(|_| !hide_positions)),
             drive: self.drive.or(beneath.drive.filter(|_| !hide_positions)),
@@ -79,10 +112,18 @@ impl StudyKeys {
             step: self.step.or(beneath.step.filter(|_| !hide_time)),
             motions: self.motions.or(beneath.motions.filter(|_| !hide_time)),
             drives: self.drives.or(beneath.drives.filter(|_| !hide_time)),
-            set,
-            named: if self.named.is_empty() { beneath.named } else { self.named },
+            set: overlaid(beneath.set, self.set),
+            ask: self.ask.over(beneath.ask),
         }
     }
+}
+
+/// Overrides of one study, and those beneath that it does not replace.
+pub(crate) fn overlaid(beneath: Vec<Override>, own: Vec<Override>) -> Vec<Override> {
+    let mut set: Vec<Override> =
+        beneath.into_iter().filter(|old| own.iter().all(|new| new.name != old.name)).collect();
+    set.extend(own);
+    set
 }
 
 fn read_sweep(keyed: Keyed<'_>, of: Referred<'_>) -> Option<(Sweep, Motion)> {
@@ -168,73 +209,21 @@ fn read_set(keyed: &Keyed<'_>) -> Vec<Override> {
     set
 }
 
-/// Keys of kinds that are run in another version: their names and expressions are checked now. Answers the
-/// parameters they name.
-fn check_later(keyed: &Keyed<'_>, of: Referred<'_>) -> Vec<usize> {
+/// Keys of kinds that are run in another version: their names and expressions are checked now.
+fn check_later(keyed: &Keyed<'_>, of: Referred<'_>) {
+    if keyed.kind().is_some_and(|kind| ASKING.contains(&kind)) {
+        return;
+    }
     if let Some(name) = keyed.text("of")
         && !of.studies.contains(&name.value)
     {
-        let report = Diagnostic::error("unknown-name", name.span, format!("there is no study `{}`", name.value));
-        keyed.report(report.did_you_mean(nearest(name.value, of.studies.iter().copied())));
-    }
-    let mut signals = AllSignals { catalogue: of.catalogue, used: Vec::new() };
-    for key in ["response", "minimize", "maximize"] {
-        if let Some(value) = keyed.value(key) {
-            of.part.reader.response(value, &keyed.named(key), &mut signals);
-        }
+        keyed.report(of.unknown_study(name));
     }
     if let Some(value) = keyed.value("stop_when") {
+        let mut signals = AllSignals { catalogue: of.catalogue, used: Vec::new() };
         of.part.reader.condition(value, &keyed.named("stop_when"), &mut signals);
-    }
-    each(keyed, "responses", |value, what| {
-        of.part.reader.response(value, what, &mut signals);
-    });
-    each(keyed, "subject_to", |value, what| {
-        of.part.reader.constraint(value, what, &mut signals);
-    });
-    let named =
-        ["parameters", "variables", "tolerances"].into_iter().flat_map(|key| parameters(keyed, key, of)).collect();
-    for key in ["starts", "seed", "samples"] {
-        keyed.whole(key);
     }
     for key in ["output_step", "tolerance"] {
         keyed.quantity(key);
     }
-    keyed.choice("method");
-    if let (Some(_), Some(both)) = (keyed.value("minimize"), keyed.value("maximize")) {
-        let message = format!("{} has `minimize` and `maximize`; give one", keyed.what());
-        keyed.report(Diagnostic::error("conflicting-keys", both.span, message));
-    }
-    named
-}
-
-fn each(keyed: &Keyed<'_>, key: &'static str, mut check: impl FnMut(&Value, &str)) {
-    let Some(value) = keyed.value(key) else { return };
-    let what = keyed.named(key);
-    for value in keyed.reader().list(value, &what).unwrap_or(&[]) {
-        check(value, &what);
-    }
-}
-
-/// A list of parameters, or a table by parameter.
-fn parameters(keyed: &Keyed<'_>, key: &'static str, of: Referred<'_>) -> Vec<usize> {
-    let Some(value) = keyed.value(key) else { return Vec::new() };
-    let names: Vec<(&str, Span)> = match value.as_table() {
-        Some(table) => table.iter().map(|entry| (entry.key.as_str(), entry.key_span)).collect(),
-        None => {
-            let names = of.part.reader.strings(value, &keyed.named(key)).unwrap_or_default();
-            names.into_iter().map(|name| (name.value, name.span)).collect()
-        }
-    };
-    let parameters = of.part.reader.parameters();
-    let find = |(name, span): (&str, Span)| {
-        let found = parameters.index(name);
-        if found.is_none() && !parameters.is_faulty(name) {
-            let near = nearest(name, parameters.all().iter().map(|p| p.name.as_str()));
-            let report = Diagnostic::error("unknown-name", span, format!("there is no parameter `{name}`"));
-            keyed.report(report.did_you_mean(near));
-        }
-        found
-    };
-    names.into_iter().filter_map(find).collect()
 }

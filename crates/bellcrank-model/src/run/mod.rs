@@ -54,6 +54,6 @@ fn execute(session: &mut Session<'_>, study: &Study, progress: &mut dyn Progress
             time::run(session, &plan, progress)
         }
         Task::Statics { sweep, holds, motions } => statics::run(session, sweep.as_ref(), holds, motions, progress),
-        Task::Later => Ok(()),
+        Task::Ask(_) | Task::Later => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use bellcrank_doc::Dimension;
 use serde_json::{Map, Value, json};
 
-use super::keys::{AXES, Key, Kind, Schema, Shape};
+use super::keys::{AXES, DIRECTIONS, Key, Kind, Schema, Shape, Short};
 use super::studies::OPEN;
 use super::tables::{MODEL, PLACE};
 
@@ -47,7 +47,10 @@ fn parameter() -> Value {
     let number = json!({ "$ref": "#/$defs/number" });
     json!({
         "type": "object",
-        "properties": { "value": number, "min": number, "max": number, "tolerance": number, "note": { "type": "string" } },
+        "properties": {
+            "value": number, "min": number, "max": number, "tolerance": number, "sigma": number,
+            "distribution": { "enum": ["uniform", "normal", "truncated"] }, "note": { "type": "string" },
+        },
         "required": ["value"],
         "additionalProperties": false,
     })
@@ -120,8 +123,28 @@ fn shape(of: Shape) -> Value {
         Shape::List(dimension, lengths) => list(dimension, lengths),
         Shape::Values => reference("values"),
         Shape::Axis => reference("axis"),
-        Shape::Response => json!({ "type": ["string", "number"] }),
-        Shape::Responses => json!({ "type": "array", "items": { "type": "string" } }),
+        Shape::Response => response(),
+        Shape::Free => reference("number"),
+        Shape::Responses => json!({ "anyOf": [
+            { "type": "array", "items": response() },
+            { "type": "object", "additionalProperties": response() },
+        ] }),
+        Shape::Objective(schema) => {
+            let part = json!({ "anyOf": [response(), object(schema)] });
+            json!({ "anyOf": [response(), { "type": "array", "items": part }] })
+        }
+        Shape::Comparisons => json!({ "anyOf": [
+            { "type": "string" },
+            { "type": "array", "items": { "type": "string" } },
+        ] }),
+        Shape::ByParameter(schema, short) => {
+            json!({ "anyOf": [reference("names"), { "type": "object", "additionalProperties": said(schema, short) }] })
+        }
+        Shape::Between(schema) => {
+            let pair = json!({ "type": "array", "items": reference("number"), "minItems": 2, "maxItems": 2 });
+            json!({ "anyOf": [pair, object(schema)] })
+        }
+        Shape::Directions => json!({ "type": "object", "additionalProperties": { "enum": DIRECTIONS } }),
         Shape::Table(schema) => object(schema),
         Shape::Tables(schema) => json!({ "type": "array", "items": object(schema) }),
         Shape::Named(schema) => json!({ "type": "object", "additionalProperties": object(schema) }),
@@ -130,6 +153,20 @@ fn shape(of: Shape) -> Value {
         Shape::Map => reference("map"),
         Shape::NamesOrMap => json!({ "anyOf": [reference("names"), { "type": "object" }] }),
         Shape::Later => json!({}),
+    }
+}
+
+fn response() -> Value {
+    json!({ "type": ["string", "number"] })
+}
+
+/// What may be said of a parameter: a table, or something short in its place.
+fn said(schema: &'static Schema, short: Short) -> Value {
+    let values = json!({ "type": "array", "items": reference("number"), "minItems": 1 });
+    match short {
+        Short::Nothing => object(schema),
+        Short::Value => json!({ "anyOf": [reference("number"), object(schema)] }),
+        Short::Levels => json!({ "anyOf": [{ "type": "integer", "minimum": 2 }, values, object(schema)] }),
     }
 }
 

@@ -68,10 +68,22 @@ pub(crate) enum Shape {
     Values,
     /// `"x"`, `"y"`, `"z"`, one of them with a minus, or a vector.
     Axis,
+    /// A value whose dimension follows from elsewhere in the file.
+    Free,
     /// An arithmetic expression over reductions of signals, or a comparison of two.
     Response,
-    /// A list of such.
+    /// A list of such, or a table of named ones.
     Responses,
+    /// A response, or a list of responses and of tables with a weight each.
+    Objective(&'static Schema),
+    /// A comparison of two responses, or a list of such.
+    Comparisons,
+    /// Names of parameters, or a table of what is said of each.
+    ByParameter(&'static Schema, Short),
+    /// A list of a lower and an upper value, or a table of them.
+    Between(&'static Schema),
+    /// A table of names, each made small or large.
+    Directions,
     /// A table of its own.
     Table(&'static Schema),
     /// A list of tables.
@@ -89,6 +101,19 @@ pub(crate) enum Shape {
     /// Anything; read in another version.
     Later,
 }
+
+/// What may stand in place of the table that is said of a parameter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Short {
+    Nothing,
+    /// A value.
+    Value,
+    /// A list of values, or a number of levels.
+    Levels,
+}
+
+/// Words for "made small" and "made large".
+pub(crate) const DIRECTIONS: &[&str] = &["min", "max"];
 
 /// A key of a table.
 #[derive(Clone, Copy, Debug)]

@@ -1,13 +1,15 @@
 //! The format as data: one table of keys for the reader, the JSON Schema and the hints.
 
+mod asks;
 mod joints_and_forces;
 mod json;
 mod keys;
 mod studies;
 mod tables;
 
+pub(crate) use asks::{ASKING, LIMITS, OBJECTIVE, RANGE, SCATTER, VARIABLE, WITH_ROWS};
 pub(crate) use joints_and_forces::{FORCE, JOINT};
 pub use json::schema;
-pub(crate) use keys::{AXES, Along, Key, Schema, Shape};
+pub(crate) use keys::{AXES, Along, DIRECTIONS, Key, Schema, Shape};
 pub(crate) use studies::{AVAILABLE, OPEN, STUDY};
 pub(crate) use tables::{BODY, GROUND, MODEL, MOTION, PLACE, SEGMENT, SUBSYSTEM};

@@ -2,12 +2,14 @@
 
 use bellcrank_doc::Dimension as D;
 
-use super::keys::Shape::{Later, Map, Name, Names, NamesOrMap, OneOf, Response, Responses, Table, Value, Whole};
-use super::keys::{Key, Kind, Schema, Shape};
+use super::asks::{DESIGNS, OF, OPTIMIZE, SENSITIVITY, TOLERANCE};
+use super::keys::Shape::{Map, Name, Names, NamesOrMap, Response, Table, Value};
+use super::keys::{Key, Kind, Schema};
 use super::tables::{DRIVE, SWEEP};
 
 /// Kinds that this version runs.
-pub(crate) const AVAILABLE: &[&str] = &["kinematics", "inverse-dynamics", "statics"];
+pub(crate) const AVAILABLE: &[&str] =
+    &["kinematics", "inverse-dynamics", "statics", "sensitivity", "optimize", "sweep", "tolerance"];
 
 /// Kinds whose keys are not settled: an unknown key there is no error yet.
 pub(crate) const OPEN: &[&str] = &["sizing", "workspace", "modes", "stress"];
@@ -28,10 +30,6 @@ const STEP: Key = Key::optional("step", Value(D::TIME), "over time: from row to 
 const MOTIONS: Key = Key::optional("motions", Names, "over time: motions that act; all unless given");
 const DRIVES: Key =
     Key::optional("drives", Names, "over time: joints that carry the efforts; those with motions unless given");
-const OF: Key = Key::optional("of", Name, "the study that gives the numbers");
-const RESPONSE: Key = Key::optional("response", Response, "one number of that study");
-const SAMPLES: Key = Key::optional("samples", Whole(1, 1_000_000_000), "how many");
-const SEED: Key = Key::optional("seed", Whole(0, i64::MAX), "start of the random numbers");
 const OVER_POSITIONS_OR_TIME: &[Key] = &[SWEPT, DRIVEN, HOLD, DURATION, STEP, MOTIONS, DRIVES];
 
 pub(crate) static STUDY: Schema = Schema {
@@ -57,49 +55,10 @@ pub(crate) static STUDY: Schema = Schema {
                 Key::optional("stop_when", Response, "condition that ends the study"),
             ],
         ),
-        kind(
-            "sensitivity",
-            "derivatives of a response with respect to parameters",
-            &[OF, RESPONSE, Key::optional("parameters", Names, "with respect to these")],
-        ),
-        kind(
-            "optimize",
-            "the best parameters",
-            &[
-                OF,
-                Key::optional("minimize", Response, "objective"),
-                Key::optional("maximize", Response, "objective"),
-                Key::optional("variables", NamesOrMap, "parameters that may change, with bounds of their own or here"),
-                Key::optional("subject_to", Responses, "comparisons that must hold"),
-                Key::optional("starts", Whole(1, 1_000_000), "number of starting points"),
-                SEED,
-            ],
-        ),
-        kind(
-            "sweep",
-            "responses over parameters",
-            &[
-                OF,
-                Key::optional("responses", Responses, "numbers of that study"),
-                Key::optional("vary", Later, "parameters and their ranges"),
-                Key::optional("method", OneOf(&["grid", "lhs", "sobol", "table"]), "how the samples lie"),
-                Key::optional("table", Shape::Text, "CSV file of samples"),
-                SAMPLES,
-                SEED,
-            ],
-        ),
-        kind(
-            "tolerance",
-            "scatter of a response",
-            &[
-                OF,
-                RESPONSE,
-                Key::optional("tolerances", NamesOrMap, "half widths of parameters"),
-                Key::optional("limits", Later, "allowed range of the response"),
-                SAMPLES,
-                SEED,
-            ],
-        ),
+        kind("sensitivity", "derivatives of a response with respect to parameters", SENSITIVITY),
+        kind("optimize", "the best parameters", OPTIMIZE),
+        kind("sweep", "responses over many designs", DESIGNS),
+        kind("tolerance", "scatter of a response", TOLERANCE),
         kind("sizing", "sections and drives from loads", &[OF]),
         kind("workspace", "where a point can go", &[OF]),
         kind("modes", "natural frequencies", &[OF]),

@@ -59,10 +59,10 @@ impl Signals for InstantSignals<'_> {
     }
 }
 
-/// All signals, for responses and conditions; nothing is kept of them.
+/// All signals, for responses and conditions.
 pub(crate) struct AllSignals<'a> {
     pub(crate) catalogue: &'a Catalogue,
-    /// Those in use.
+    /// Those in use; an expression's signal `i` is `used[i]`.
     pub(crate) used: Vec<Signal>,
 }
 
@@ -70,8 +70,11 @@ impl Signals for AllSignals<'_> {
     fn lookup(&mut self, name: &str) -> Option<(usize, Dimension)> {
         let signal = self.catalogue.find(name)?;
         let column = self.catalogue.column(signal)?;
-        self.used.push(signal);
-        Some((self.used.len() - 1, column.measure.dimension()))
+        let index = self.used.iter().position(|&used| used == signal).unwrap_or_else(|| {
+            self.used.push(signal);
+            self.used.len() - 1
+        });
+        Some((index, column.measure.dimension()))
     }
 
     fn names(&self) -> Vec<String> {

@@ -34,7 +34,7 @@ impl Hessian {
     /// procedure 18.2; the first scaling after their equation 6.20.
     pub(crate) fn update(&mut self, s: &[f64], y: &[f64]) {
         let (ss, sy, yy) = (dot(s, s), dot(s, y), dot(y, y));
-        if largest(s) < 1e-11 || yy + ss + sy == 0.0 || !(yy + ss).is_finite() {
+        if largest(s) < 3e-9 || yy + ss + sy == 0.0 || !(yy + ss).is_finite() {
             return;
         }
         if self.fresh && sy > 1e-8 * (ss * yy).sqrt() {

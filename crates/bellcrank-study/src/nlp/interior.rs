@@ -190,7 +190,7 @@ impl<'a> Interior<'a> {
         let target: Vec<f64> = (0..products.len()).map(|k| products[k] - affine.s[k] * affine.y[k] + centre).collect();
         let direction = self.direction(&factor, dual, primal, &target);
         let a = self.longest(&direction) * (1.0 - 0.01f64.min(gap.sqrt()).max(1e-4));
-        if !(a > 1e-10) || direction.z.iter().chain(&direction.y).any(|x| !x.is_finite()) {
+        if a.is_nan() || a <= 1e-10 || direction.z.iter().chain(&direction.y).any(|x| !x.is_finite()) {
             return false;
         }
         add_scaled(&mut self.z, a, &direction.z);

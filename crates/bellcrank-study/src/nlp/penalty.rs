@@ -3,7 +3,7 @@
 use super::subproblem::{Frame, Linear, Step, solve};
 
 /// Above this a constraint that is still violated counts as one that cannot be met from here.
-pub(crate) const GREATEST: f64 = 1e8;
+pub(crate) const GREATEST: f64 = 1e6;
 
 /// A step, the penalty it was made with, and what is known about feasibility.
 pub(crate) struct Choice {

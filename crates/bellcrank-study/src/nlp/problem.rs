@@ -101,15 +101,6 @@ pub trait Problem {
     ///
     /// [`Undefined`] where the problem has no values.
     fn evaluate(&mut self, x: &[f64]) -> Result<Evaluation, Undefined>;
-
-    /// Values alone at `x`; called where a point is likely to be refused. By default from [`Problem::evaluate`].
-    ///
-    /// # Errors
-    ///
-    /// [`Undefined`] where the problem has no values.
-    fn values(&mut self, x: &[f64]) -> Result<Values, Undefined> {
-        Ok(self.evaluate(x)?.values())
-    }
 }
 
 /// The question itself makes no sense, at whatever point.

@@ -4,7 +4,7 @@
 
 use super::dense::largest;
 use super::point::{Point, raw_violation};
-use super::problem::{Evaluation, Function, Malformed, Piece, Problem, Relation, Undefined, Values, maximum};
+use super::problem::{Evaluation, Function, Malformed, Piece, Problem, Relation, Undefined, maximum};
 
 /// How often the problem was asked.
 #[derive(Clone, Copy, Debug, Default)]
@@ -91,18 +91,6 @@ impl<'p, P: Problem + ?Sized> Scaled<'p, P> {
         answer.map(|evaluation| self.scaled(u, evaluation))
     }
 
-    /// Scaled objective and sum of scaled violations at u.
-    pub(crate) fn values(&mut self, u: &[f64]) -> Result<(f64, f64), Undefined> {
-        let x = self.unscale(u);
-        self.counts.evaluations += 1;
-        let answer = self.problem.values(&x).and_then(|v| self.checked_values(v));
-        self.counts.undefined += usize::from(answer.is_err());
-        let values = answer?;
-        let scaled = values.constraints.iter().zip(&self.constraint_scale).map(|(c, s)| c / s);
-        let sum = self.relations.iter().zip(scaled).map(|(&r, c)| super::point::violation(r, c)).sum();
-        Ok((values.objective / self.objective_scale, sum))
-    }
-
     fn checked(&self, e: Evaluation) -> Result<Evaluation, Undefined> {
         let n = self.origin.len();
         let is_good = |f: &Function| {
@@ -111,11 +99,6 @@ impl<'p, P: Problem + ?Sized> Scaled<'p, P> {
         let single = |(r, f): (&Relation, &Function)| *r == Relation::AtMostZero || f.pieces.len() == 1;
         let fits = e.constraints.len() == self.relations.len() && self.relations.iter().zip(&e.constraints).all(single);
         if fits && is_good(&e.objective) && e.constraints.iter().all(is_good) { Ok(e) } else { Err(Undefined) }
-    }
-
-    fn checked_values(&self, v: Values) -> Result<Values, Undefined> {
-        let finite = v.objective.is_finite() && v.constraints.iter().all(|c| c.is_finite());
-        if finite && v.constraints.len() == self.relations.len() { Ok(v) } else { Err(Undefined) }
     }
 
     fn scaled(&self, u: &[f64], e: Evaluation) -> Point {
@@ -142,6 +125,35 @@ impl<'p, P: Problem + ?Sized> Scaled<'p, P> {
         rescale(&mut point.objective, self.objective_scale);
         for (pieces, &s) in point.constraints.iter_mut().zip(&self.constraint_scale) {
             rescale(pieces, s);
+        }
+    }
+
+    /// Scales again the constraints whose gradients have become ten times larger or smaller than at the start, and are near
+    /// their limit. Returns whether there were any.
+    pub(crate) fn follow_constraints(&mut self, point: &mut Point) -> bool {
+        let mut any = false;
+        for ((pieces, scale), relation) in
+            point.constraints.iter_mut().zip(&mut self.constraint_scale).zip(&self.relations)
+        {
+            let by = function_scale(pieces).max(maximum(pieces).abs());
+            let near = *relation == Relation::Zero || maximum(pieces) >= -by;
+            if near && !(0.1..=10.0).contains(&by) {
+                rescale(pieces, by);
+                *scale *= by;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// Brings a point that was scaled earlier to the present scales of the constraints.
+    pub(crate) fn apply_constraint_scales(&self, point: &mut Point) {
+        for (i, pieces) in point.constraints.iter_mut().enumerate() {
+            let now = point.raw.constraints[i] / self.constraint_scale[i];
+            let was = maximum(pieces);
+            if was != 0.0 && now != 0.0 {
+                rescale(pieces, was / now);
+            }
         }
     }
 

@@ -11,7 +11,7 @@ use super::point::Point;
 use super::problem::{Malformed, Problem};
 use super::scaled::Scaled;
 use super::solution::{Kkt, Options, Progress, Solution, Status};
-use super::subproblem::{Frame, Linear, Step, Weights};
+use super::subproblem::{Frame, Linear, Step, Weights, solve as solve_step};
 use super::trial::{corrected, learn, tangents};
 
 /// Minimizes from `start` (n numbers, put inside the bounds first).
@@ -61,6 +61,7 @@ struct Search<'p, P: Problem + ?Sized> {
     entered: f64,
     restorations: usize,
     restarts: usize,
+    rescalings: usize,
     reductions: usize,
     /// Accepted steps in a row whose gain drowned in rounding.
     drowned: usize,
@@ -92,6 +93,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
             entered: 0.0,
             restorations: 0,
             restarts: 0,
+            rescalings: 0,
             reductions: 0,
             drowned: 0,
             iterations: 0,
@@ -116,12 +118,23 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
             if self.iterations >= self.options.iterations {
                 return Status::IterationLimit;
             }
+            if self.is_stiff(&choice, &kkt) {
+                self.restarts += 1;
+                self.restart(self.weight);
+                continue;
+            }
             if matches!(self.advance(choice), Taken::TooSmall)
                 && let Some(status) = self.give_up()
             {
                 return status;
             }
         }
+    }
+
+    /// A tiny free step far from optimality: the learnt curvature is far too great.
+    fn is_stiff(&self, choice: &Choice, kkt: &Kkt) -> bool {
+        let tiny = largest(&choice.step.d) < 1e-9 && !choice.step.held;
+        tiny && kkt.stationarity > 1e4 * self.options.tolerances.optimality && self.restarts < 3
     }
 
     fn tolerance(&self) -> f64 {
@@ -141,8 +154,13 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
 
     /// A step from `linear`, with the penalty that it needs.
     fn step_of(&self, linear: &Linear, radius: f64) -> Choice {
+        let now = self.point.violations(&self.scaled.relations);
+        self.with_frame(radius, |frame| choose(linear, frame, now, 0.1 * self.tolerance()))
+    }
+
+    fn with_frame<T>(&self, radius: f64, ask: impl FnOnce(&Frame) -> T) -> T {
         let (lower, upper) = self.distances();
-        let frame = Frame {
+        ask(&Frame {
             relations: &self.scaled.relations,
             hessian: &self.hessian.b,
             weight: self.weight,
@@ -150,8 +168,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
             radius,
             lower: &lower,
             upper: &upper,
-        };
-        choose(linear, &frame, self.point.violations(&self.scaled.relations), 0.1 * self.tolerance())
+        })
     }
 
     fn choose(&mut self) -> Choice {
@@ -164,7 +181,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         self.penalty = choice.penalty;
         if choice.step.held {
             // The wall of the trust region takes part of the force: ask for the multipliers without it.
-            choice.step.weights = self.step_of(&linear, self.radius.max(FAR)).step.weights;
+            choice.step.weights = self.with_frame(self.radius.max(FAR), |frame| solve_step(&linear, frame)).weights;
         }
         choice
     }
@@ -207,14 +224,18 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         let stationary = kkt.stationarity <= tolerance && kkt.complementarity <= 0.01 * tolerance;
         let feasible = kkt.feasibility <= self.tolerance();
         let restoring = self.weight == 0.0;
+        // As long as the linearized constraints can be met better, a step says more than the gradients.
+        let lasting = choice.step.violation > 0.9 * self.point.violations(&self.scaled.relations);
         match (feasible, stationary) {
             (true, true) if !restoring => Some(Status::Converged),
-            (false, true) if restoring => Some(Status::Infeasible),
+            (false, true) if restoring && lasting => Some(Status::Infeasible),
             (true, _) if restoring => self.leave_restoration(),
             (false, _) if restoring && self.point.violations(&self.scaled.relations) < 0.1 * self.entered => {
                 self.leave_restoration()
             }
-            (false, _) if !restoring && (stationary || choice.stuck || self.penalty >= GREATEST) => self.restore(),
+            (false, _) if !restoring && (stationary && lasting || choice.stuck || self.penalty >= GREATEST) => {
+                self.restore()
+            }
             _ => None,
         }
     }
@@ -264,10 +285,10 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         self.weight * point.value() + self.penalty * point.violations(&self.scaled.relations)
     }
 
-    /// Differences of the merit below this are rounding.
+    /// Differences of the merit below this are rounding: of the objective, and of constraints whose terms are of size one.
     fn noise(&self) -> f64 {
-        let value = self.weight * self.point.value().abs();
-        8.0 * f64::EPSILON * (value + self.penalty * self.point.violations(&self.scaled.relations))
+        let constraints = self.scaled.relations.len() as f64 + self.point.violations(&self.scaled.relations);
+        8.0 * f64::EPSILON * (self.weight * self.point.value().abs() + self.penalty * constraints)
     }
 
     fn at(&self, d: &[f64]) -> Vec<f64> {
@@ -280,7 +301,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     fn advance(&mut self, mut choice: Choice) -> Taken {
         loop {
             let length = largest(&choice.step.d);
-            if length <= self.options.tolerances.step || self.drowned > 4 {
+            if length <= self.options.tolerances.step || self.drowned > 12 {
                 return Taken::TooSmall;
             }
             match self.scaled.evaluate(&self.at(&choice.step.d)) {
@@ -298,27 +319,15 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     /// Takes the trial point, or its correction, or learns from it and shortens the trust region.
     fn try_step(&mut self, step: &Step, trial: Point) -> bool {
         let ratio = self.ratio(step, &trial);
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "      ratio {ratio:.3} radius {:.2e} rho {:.2e} V {:.2e} lin {:.2e} |d| {:.2e} held {} Bmax {:.2e}",
-                self.radius,
-                self.penalty,
-                trial.violations(&self.scaled.relations),
-                step.violation,
-                largest(&step.d),
-                step.held,
-                self.hessian.size()
-            );
-        }
         if ratio >= 1e-3 {
             self.resize(ratio, step);
             self.take(&step.d, &step.weights, trial);
             return true;
         }
         if let Some((d, corrected)) = self.correct(step, &trial)
-            && self.ratio(step, &corrected) >= 1e-3
+            && let ratio = self.ratio(step, &corrected)
+            && ratio >= 1e-3
         {
-            let ratio = self.ratio(step, &corrected);
             self.resize(ratio, step);
             self.take(&d, &step.weights, corrected);
             return true;
@@ -351,6 +360,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         self.iterations += 1;
         self.point = trial;
         self.lower_penalty();
+        self.follow_scales();
         self.extra = nothing(&self.point);
         if self.is_better(&self.point) {
             self.best = self.point.clone();
@@ -362,9 +372,17 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     fn lower_penalty(&mut self) {
         let greatest = self.weights.constraints.iter().flatten().fold(0.0, |m: f64, w| m.max(w.abs()));
         let wanted = 1.5 * greatest + 1e-3;
-        if self.weight > 0.0 && self.reductions < 40 && self.penalty > 1.5 * wanted {
+        if self.weight > 0.0 && self.reductions < 100 && self.penalty > 1.5 * wanted {
             self.penalty = wanted.max(0.3 * self.penalty);
             self.reductions += 1;
+        }
+    }
+
+    /// A start far away may have scaled a constraint badly. The best point is judged in the new scaling, too.
+    fn follow_scales(&mut self) {
+        if self.rescalings < 10 && self.scaled.follow_constraints(&mut self.point) {
+            self.rescalings += 1;
+            self.scaled.apply_constraint_scales(&mut self.best);
         }
     }
 
@@ -409,11 +427,24 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         if status == Status::Converged || self.is_better(&self.point) {
             self.best = self.point.clone();
         }
+        let feasible = self.best.worst_violation(&self.scaled.relations) <= self.tolerance();
+        let status = if feasible && status == Status::Infeasible { Status::StepTooSmall } else { status };
+        self.weight = if status == Status::Infeasible { 0.0 } else { 1.0 };
         self.point = self.best.clone();
         self.extra = nothing(&self.point);
         let choice = self.choose();
         self.judge(&choice);
         self.answer(status)
+    }
+
+    /// A search that ran out of steps at a point that meets the tolerances has converged.
+    fn final_status(&self, status: Status, kkt: &Kkt) -> Status {
+        let tolerance = self.options.tolerances.optimality;
+        let good = kkt.feasibility <= self.tolerance()
+            && kkt.stationarity <= tolerance * self.reference()
+            && kkt.complementarity <= 0.01 * tolerance;
+        let ended = matches!(status, Status::StepTooSmall | Status::IterationLimit);
+        if good && ended { Status::Converged } else { status }
     }
 
     /// Residuals and multipliers at the answer: those of the last step or those from the gradients alone, the better ones.
@@ -425,6 +456,7 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
         let of_fit = judge.residuals(&self.point, &fitted);
         let fit_wins = of_fit.worst() < of_step.worst();
         let (weights, kkt) = if fit_wins { (&fitted, of_fit) } else { (&self.weights, of_step) };
+        let status = self.final_status(status, &kkt);
         assemble(&self.scaled, &self.point, weights, kkt, status, self.iterations)
     }
 }

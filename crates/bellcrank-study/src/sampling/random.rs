@@ -16,6 +16,12 @@ pub fn unit(seed: u64, sample: u64, dimension: u64) -> f64 {
     to_unit(mix(mix(mix(seed) ^ sample) ^ dimension))
 }
 
+/// Sample `index` of independent uniform numbers in the open unit cube.
+#[must_use]
+pub fn random_point(seed: u64, index: u64, dimensions: usize) -> Vec<f64> {
+    (0..dimensions as u64).map(|j| unit(seed, index, j)).collect()
+}
+
 /// The upper 52 bits as the middle of one of 2^52 equal cells: never 0, never 1.
 pub(crate) fn to_unit(word: u64) -> f64 {
     ((word >> 12) as f64 + 0.5) * (1.0 / (1u64 << 52) as f64)

@@ -15,15 +15,15 @@ type Functions = fn(&[Jet]) -> (Vec<Jet>, Vec<Jet>);
 
 /// A problem: objective pieces and constraints as functions of jets.
 #[derive(Clone)]
-pub struct Case {
-    pub name: &'static str,
-    pub start: Vec<f64>,
-    pub bounds: Vec<(f64, f64)>,
-    pub relations: Vec<Relation>,
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) start: Vec<f64>,
+    pub(crate) bounds: Vec<(f64, f64)>,
+    pub(crate) relations: Vec<Relation>,
     functions: Functions,
     /// Published optimum.
-    pub optimum: f64,
-    pub calls: usize,
+    pub(crate) optimum: f64,
+    pub(crate) calls: usize,
 }
 
 impl Problem for Case {
@@ -65,14 +65,14 @@ fn squares(x: &[Jet]) -> Jet {
 }
 
 /// All cases.
-pub fn all() -> Vec<Case> {
+pub(crate) fn all() -> Vec<Case> {
     let mut cases = smooth();
     cases.extend(engineering());
     cases.extend(minimax());
     cases
 }
 
-pub fn by_name(name: &str) -> Case {
+pub(crate) fn by_name(name: &str) -> Case {
     all().into_iter().find(|case| case.name == name).unwrap()
 }
 

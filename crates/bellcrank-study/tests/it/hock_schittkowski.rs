@@ -1,8 +1,8 @@
 //! Every published case from its given start, and from random ones.
 
-use bellcrank_study::nlp::{Options, Status, solve};
+use bellcrank_study::nlp::{Options, Solution, Status, solve};
 
-use crate::cases::{all, by_name};
+use crate::cases::{Case, all, by_name};
 
 #[test]
 fn every_case_converges_from_its_start() {
@@ -32,35 +32,37 @@ fn every_case_converges_from_its_start() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+/// HS71 has strict local minima in corners of its box (f = 27.146 and 32.944): from 6 of the 20 starts they are nearer.
 #[test]
-fn random_starts_reach_the_published_optimum() {
-    for (name, least) in [("HS71", 18), ("HS100", 18), ("HS43", 18), ("CB2", 18), ("HS65", 18)] {
+fn random_starts_reach_an_optimum_nearly_always_the_published_one() {
+    for (name, published, any) in [
+        ("HS71", 14, 20),
+        ("HS100", 20, 20),
+        ("HS43", 20, 20),
+        ("TENSION_SPRING", 20, 20),
+        ("CB2", 20, 20),
+        ("HS65", 20, 20),
+    ] {
         let case = by_name(name);
-        let reached = (0..20).filter(|&i| from_random_start(case.clone(), i)).count();
-        println!("{name}: {reached}/20");
-        assert!(reached >= least, "{name}: {reached}/20");
+        let found: Vec<Solution> = (0..20).map(|i| from_random_start(case.clone(), i)).collect();
+        let converged = found.iter().filter(|s| s.status == Status::Converged && s.kkt.worst() < 1e-7).count();
+        let reached = found.iter().filter(|s| (s.objective - case.optimum).abs() < 1e-7 * case.optimum.abs().max(1.0));
+        let reached = reached.count();
+        println!("{name}: {reached} at the published optimum, {converged} at an optimum, of 20");
+        assert!(reached >= published && converged >= any, "{name}: {reached} and {converged} of 20");
     }
 }
 
-fn from_random_start(mut case: crate::cases::Case, index: u64) -> bool {
+fn from_random_start(mut case: Case, index: u64) -> Solution {
     let start = start_of(&case, index);
-    let s = solve(&mut case, &start, &Options::default()).unwrap();
-    let error = (s.objective - case.optimum).abs() / case.optimum.abs().max(1.0);
-    let good = s.status == Status::Converged && error < 1e-7;
-    if !good {
-        println!(
-            "  {} start {index}: {:?} f {} it {} ev {} {:?}",
-            case.name, s.status, s.objective, s.iterations, s.evaluations, s.kkt
-        );
-    }
-    good
+    solve(&mut case, &start, &Options::default()).unwrap()
 }
 
-pub fn start_of(case: &crate::cases::Case, index: u64) -> Vec<f64> {
+pub(crate) fn start_of(case: &Case, index: u64) -> Vec<f64> {
     (0..case.start.len()).map(|j| random(case, index, j)).collect()
 }
 
-fn random(case: &crate::cases::Case, index: u64, j: usize) -> f64 {
+fn random(case: &Case, index: u64, j: usize) -> f64 {
     let u = bellcrank_study::sampling::unit(20_240, index, j as u64);
     match case.bounds[j] {
         (l, h) if l.is_finite() && h.is_finite() => l + (h - l) * u,

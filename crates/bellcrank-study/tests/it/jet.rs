@@ -2,20 +2,20 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-pub const MOST: usize = 10;
+pub(crate) const MOST: usize = 10;
 
 #[derive(Clone, Copy, Debug)]
-pub struct Jet {
-    pub v: f64,
-    pub d: [f64; MOST],
+pub(crate) struct Jet {
+    pub(crate) v: f64,
+    pub(crate) d: [f64; MOST],
 }
 
 impl Jet {
-    pub fn constant(v: f64) -> Self {
+    pub(crate) fn constant(v: f64) -> Self {
         Self { v, d: [0.0; MOST] }
     }
 
-    pub fn variables(x: &[f64]) -> Vec<Self> {
+    pub(crate) fn variables(x: &[f64]) -> Vec<Self> {
         let seed = |(i, &v): (usize, &f64)| {
             let mut jet = Self::constant(v);
             jet.d[i] = 1.0;
@@ -28,28 +28,20 @@ impl Jet {
         Self { v, d: self.d.map(|d| d * slope) }
     }
 
-    pub fn powi(self, n: i32) -> Self {
+    pub(crate) fn powi(self, n: i32) -> Self {
         self.chain(self.v.powi(n), f64::from(n) * self.v.powi(n - 1))
     }
 
-    pub fn sin(self) -> Self {
+    pub(crate) fn sin(self) -> Self {
         self.chain(self.v.sin(), self.v.cos())
     }
 
-    pub fn cos(self) -> Self {
-        self.chain(self.v.cos(), -self.v.sin())
-    }
-
-    pub fn ln(self) -> Self {
+    pub(crate) fn ln(self) -> Self {
         self.chain(self.v.ln(), 1.0 / self.v)
     }
 
-    pub fn exp(self) -> Self {
+    pub(crate) fn exp(self) -> Self {
         self.chain(self.v.exp(), self.v.exp())
-    }
-
-    pub fn sqrt(self) -> Self {
-        self.chain(self.v.sqrt(), 0.5 / self.v.sqrt())
     }
 }
 

@@ -3,4 +3,4 @@
 mod cases;
 mod hock_schittkowski;
 mod jet;
-mod trace;
+mod solver;
