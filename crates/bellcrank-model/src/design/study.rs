@@ -60,7 +60,6 @@ pub(crate) struct Hold {
 }
 
 impl Study {
-<<<<<<< HEAD
     /// The swept coordinate; none where the rows run over time, or there is one.
     pub(crate) fn axis(&self) -> Option<Coordinate> {
         match &self.task {
@@ -69,14 +68,14 @@ impl Study {
             }
             _ => None,
         }
-=======
+    }
+
     /// The kind that this version would have to run for this study, but does not: its own, or that of the study it
     /// asks.
     pub(crate) fn missing_kind(&self) -> Option<&'static str> {
         let asks = AVAILABLE.contains(&self.kind);
         // Of the kinds that can be asked, one is missing.
         matches!(self.task, Task::Later).then_some(if asks { "dynamics" } else { self.kind })
->>>>>>> model-asks
     }
 }
 
