@@ -7,6 +7,8 @@
 
 mod build;
 mod check;
+#[cfg(test)]
+mod derivatives;
 mod design;
 mod disk;
 mod drawing;
@@ -22,6 +24,7 @@ mod progress;
 mod provenance;
 mod read;
 mod run;
+mod scalar;
 mod schema;
 mod signals;
 mod starter;

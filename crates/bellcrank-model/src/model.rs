@@ -76,7 +76,7 @@ impl Model {
     #[must_use]
     pub fn parameters(&self) -> Vec<ParameterRow> {
         let design = self.design();
-        let values = Values::new(&design.scopes, &design.scopes[0].parameters);
+        let values: Values = Values::new(&design.scopes, &design.scopes[0].parameters);
         let mut rows = Vec::new();
         for (index, scope) in design.scopes.iter().enumerate() {
             let values = values.of(crate::design::ScopeId(index));

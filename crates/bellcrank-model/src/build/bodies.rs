@@ -1,69 +1,68 @@
 //! Mass properties and points in numbers.
 
+use std::fmt::Arguments;
+
 use bellcrank_doc::Diagnostic;
+use bellcrank_math::matrix_from_rpy;
 use bellcrank_multibody::{Body as BodyNumbers, BodyId, Place};
 
 use super::Numbers;
-use super::frames::{self, IDENTITY, Matrix};
+use super::frames::{self, Matrix};
 use crate::design::{Body, Point, Quantity, Rotation};
+use crate::scalar::Scalar;
 
-pub(super) fn bodies(numbers: &mut Numbers<'_>) -> Vec<BodyNumbers<f64>> {
+pub(super) fn bodies<T: Scalar>(numbers: &mut Numbers<'_, T>, bodies: &mut Vec<BodyNumbers<T>>) {
     let design = numbers.design;
-    design.bodies.iter().map(|body| one(numbers, body)).collect()
+    bodies.clear();
+    bodies.extend(design.bodies.iter().map(|body| one(numbers, body)));
 }
 
-fn one(numbers: &mut Numbers<'_>, body: &Body) -> BodyNumbers<f64> {
-    let of = |key: &str| format!("`{key}` of body `{}`", body.name);
-    let mass = body.mass.as_ref().map_or(0.0, |mass| positive(numbers, mass, &of("mass")));
-    let center = body.center.as_ref().map_or([0.0; 3], |center| numbers.vector(center, &of("center")));
-    let inertia = body.inertia.as_ref().map_or([[0.0; 3]; 3], |inertia| tensor(numbers, inertia, &of("inertia")));
+fn one<T: Scalar>(numbers: &mut Numbers<'_, T>, body: &Body) -> BodyNumbers<T> {
+    let name = &body.name;
+    let mass =
+        body.mass.as_ref().map_or(T::zero(), |mass| numbers.positive(mass, format_args!("`mass` of body `{name}`")));
+    let center = body.center.as_deref().unwrap_or_default();
+    let center = numbers.vector(center, format_args!("`center` of body `{name}`"));
+    let inertia = body.inertia.as_deref().unwrap_or_default();
+    let inertia = tensor(numbers, inertia, format_args!("`inertia` of body `{name}`"));
     BodyNumbers { mass, center, inertia }
 }
 
-fn positive(numbers: &mut Numbers<'_>, quantity: &Quantity, what: &str) -> f64 {
-    let value = numbers.number(quantity, what);
-    if value < 0.0 {
-        numbers.report("negative", quantity.span(), format!("{what} is negative"));
-    }
-    value
-}
-
 /// From one value (the plane), three or six.
-fn tensor(numbers: &mut Numbers<'_>, values: &[Quantity], what: &str) -> Matrix {
+fn tensor<T: Scalar>(numbers: &mut Numbers<'_, T>, values: &[Quantity], what: Arguments<'_>) -> Matrix<T> {
+    let o = T::zero();
     if let [zz] = values {
-        return [[0.0; 3], [0.0; 3], [0.0, 0.0, positive(numbers, zz, what)]];
+        return [[o; 3], [o; 3], [o, o, numbers.positive(zz, what)]];
     }
-    let diagonal: Vec<f64> = values.iter().take(3).map(|value| positive(numbers, value, what)).collect();
-    let products: Vec<f64> = values.iter().skip(3).map(|value| numbers.number(value, what)).collect();
-    let product = |i: usize| products.get(i).copied().unwrap_or(0.0);
-    let moment = |i: usize| diagonal.get(i).copied().unwrap_or(0.0);
-    let (xy, xz, yz) = (product(0), product(1), product(2));
-    [[moment(0), xy, xz], [xy, moment(1), yz], [xz, yz, moment(2)]]
+    let (moments, products) = values.split_at(values.len().min(3));
+    let mut diagonal = [o; 3];
+    for (place, value) in diagonal.iter_mut().zip(moments) {
+        *place = numbers.positive(value, what);
+    }
+    let ([xx, yy, zz], [xy, xz, yz]) = (diagonal, numbers.vector(products, what));
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
 /// The frames of all points, by body.
-pub(super) fn points(numbers: &mut Numbers<'_>) -> Vec<Vec<Place<f64>>> {
-    let mut all = Vec::with_capacity(numbers.design.bodies.len());
-    for (index, body) in numbers.design.bodies.iter().enumerate() {
-        let mut places: Vec<Place<f64>> = Vec::with_capacity(body.points.len());
+pub(super) fn points<T: Scalar>(numbers: &mut Numbers<'_, T>, points: &mut Vec<Vec<Place<T>>>) {
+    let design = numbers.design;
+    points.resize_with(design.bodies.len(), Vec::new);
+    for (index, (body, places)) in design.bodies.iter().zip(points).enumerate() {
+        places.clear();
         for point in &body.points {
-            let base = point.base.and_then(|base| places.get(base).cloned());
             let place = frame(numbers, body, point, BodyId(index));
-            places.push(match base {
-                Some(base) => placed_in(&base, place),
-                None => place,
-            });
+            let base = point.base.and_then(|base| places.get(base));
+            let place = base.map_or_else(|| place.clone(), |base| placed_in(base, &place));
+            places.push(place);
         }
-        all.push(places);
     }
-    all
 }
 
-fn frame(numbers: &mut Numbers<'_>, body: &Body, point: &Point, id: BodyId) -> Place<f64> {
-    let what = format!("point `{}` of body `{}`", point.name, body.name);
-    let position = numbers.vector(&point.at, &what);
-    let rotation = rotation(numbers, &point.rotation, &what);
-    let in_plane = numbers.design.planar && (rotation[2][2] - 1.0).abs() > 1e-12;
+fn frame<T: Scalar>(numbers: &mut Numbers<'_, T>, body: &Body, point: &Point, id: BodyId) -> Place<T> {
+    let what = format_args!("point `{}` of body `{}`", point.name, body.name);
+    let position = numbers.vector(&point.at, what);
+    let rotation = rotation(numbers, &point.rotation, what);
+    let in_plane = numbers.design.planar && (rotation[2][2].value() - 1.0).abs() > 1e-12;
     if in_plane {
         let message = format!("{what} is turned out of the plane");
         let report = Diagnostic::error("not-in-plane", point.span, message);
@@ -72,17 +71,17 @@ fn frame(numbers: &mut Numbers<'_>, body: &Body, point: &Point, id: BodyId) -> P
     Place { body: id, position, rotation }
 }
 
-fn rotation(numbers: &mut Numbers<'_>, rotation: &Rotation, what: &str) -> Matrix {
+fn rotation<T: Scalar>(numbers: &mut Numbers<'_, T>, rotation: &Rotation, what: Arguments<'_>) -> Matrix<T> {
     match rotation {
-        Rotation::None => IDENTITY,
+        Rotation::None => frames::identity(),
         Rotation::About { axis, angle } => {
             let before = numbers.faults.len();
-            let axis = numbers.direction(axis, &format!("the axis of {what}"));
-            let angle = numbers.number(angle, &format!("the angle of {what}"));
-            if numbers.faults.len() > before { IDENTITY } else { frames::about(axis, angle) }
+            let axis = numbers.direction(axis, format_args!("the axis of {what}"));
+            let angle = numbers.number(angle, format_args!("the angle of {what}"));
+            if numbers.faults.len() > before { frames::identity() } else { frames::about(axis, angle) }
         }
         Rotation::Quaternion(values) => {
-            let mut quaternion = [0.0; 4];
+            let mut quaternion = [T::zero(); 4];
             for (place, value) in quaternion.iter_mut().zip(values) {
                 *place = numbers.number(value, what);
             }
@@ -90,14 +89,15 @@ fn rotation(numbers: &mut Numbers<'_>, rotation: &Rotation, what: &str) -> Matri
                 if let Some(value) = values.first() {
                     numbers.report("no-axis", value.span(), format!("the quaternion of {what} is zero"));
                 }
-                IDENTITY
+                frames::identity()
             })
         }
-        Rotation::Rpy(values) => frames::from_rpy(numbers.vector(values, what)),
+        // R = Rz(yaw) Ry(pitch) Rx(roll).
+        Rotation::Rpy(values) => matrix_from_rpy(&numbers.vector(values, what)),
     }
 }
 
-fn placed_in(base: &Place<f64>, place: Place<f64>) -> Place<f64> {
+fn placed_in<T: Scalar>(base: &Place<T>, place: &Place<T>) -> Place<T> {
     let shift = frames::apply(&base.rotation, place.position);
     Place {
         body: base.body,

@@ -4,18 +4,26 @@ use bellcrank_multibody::{BodyId, Coordinate, Force as ForceNumbers, Place, Valu
 
 use super::Numbers;
 use crate::design::{Force, ForceShape, Load, PointRef};
-use crate::geometry::Extent;
+use crate::geometry::{Extent, Geometry};
+use crate::scalar::Scalar;
 
-type Points = [Vec<Place<f64>>];
+type Points<T> = [Vec<Place<T>>];
 
 /// The elements, and what the length of each is.
-pub(super) fn forces(numbers: &mut Numbers<'_>, points: &Points) -> (Vec<ForceNumbers<f64>>, Vec<Option<Extent>>) {
+pub(super) fn forces<T: Scalar>(
+    numbers: &mut Numbers<'_, T>,
+    geometry: &mut Geometry<T>,
+    forces: &mut Vec<ForceNumbers<T>>,
+) {
     let design = numbers.design;
-    let one = |force: &Force| (element(numbers, force, points), extent(&force.shape, points));
-    design.forces.iter().map(one).unzip()
+    let Geometry { points, spans } = geometry;
+    forces.clear();
+    forces.extend(design.forces.iter().map(|force| element(numbers, force, points)));
+    spans.clear();
+    spans.extend(design.forces.iter().map(|force| extent(&force.shape, points)));
 }
 
-fn extent(shape: &ForceShape, points: &Points) -> Option<Extent> {
+fn extent<T: Scalar>(shape: &ForceShape, points: &Points<T>) -> Option<Extent<T>> {
     match shape {
         ForceShape::Spring { between, .. } => Some(Extent::Between(between.map(|at| {
             let place = &points[at.body][at.point];
@@ -29,43 +37,42 @@ fn extent(shape: &ForceShape, points: &Points) -> Option<Extent> {
 }
 
 /// Loads of one force as values.
-struct Loads<'n, 'a> {
-    numbers: &'n mut Numbers<'a>,
+struct Loads<'n, 'a, T: Scalar> {
+    numbers: &'n mut Numbers<'a, T>,
     name: &'n str,
 }
 
-impl Loads<'_, '_> {
-    fn value(&mut self, load: &Load, key: &str) -> Value<f64> {
+impl<T: Scalar> Loads<'_, '_, T> {
+    fn value(&mut self, load: &Load, key: &str) -> Value<T> {
         match load {
             Load::Fixed(quantity) => {
-                Value::Constant(self.numbers.number(quantity, &format!("`{key}` of force `{}`", self.name)))
+                Value::Constant(self.numbers.number(quantity, format_args!("`{key}` of force `{}`", self.name)))
             }
             Load::Input(index) => Value::Input(*index),
-            Load::Absent(default) => Value::Constant(*default),
+            Load::Absent(default) => Value::Constant(T::from_f64(*default)),
         }
     }
 
     /// A value that is never negative.
-    fn positive(&mut self, load: &Load, key: &str) -> Value<f64> {
-        let value = self.value(load, key);
-        if let (Value::Constant(number), Load::Fixed(quantity)) = (value, load)
-            && number < 0.0
-        {
-            self.numbers.report("negative", quantity.span(), format!("`{key}` of force `{}` is negative", self.name));
+    fn positive(&mut self, load: &Load, key: &str) -> Value<T> {
+        match load {
+            Load::Fixed(quantity) => {
+                Value::Constant(self.numbers.positive(quantity, format_args!("`{key}` of force `{}`", self.name)))
+            }
+            _ => self.value(load, key),
         }
-        value
     }
 
-    fn optional(&mut self, load: Option<&Load>, key: &str) -> Option<Value<f64>> {
+    fn optional(&mut self, load: Option<&Load>, key: &str) -> Option<Value<T>> {
         load.map(|load| self.value(load, key))
     }
 
-    fn values<const N: usize>(&mut self, loads: &[Load; N], key: &str) -> [Value<f64>; N] {
+    fn values<const N: usize>(&mut self, loads: &[Load; N], key: &str) -> [Value<T>; N] {
         std::array::from_fn(|i| self.value(&loads[i], key))
     }
 }
 
-fn element(numbers: &mut Numbers<'_>, force: &Force, points: &Points) -> ForceNumbers<f64> {
+fn element<T: Scalar>(numbers: &mut Numbers<'_, T>, force: &Force, points: &Points<T>) -> ForceNumbers<T> {
     let place = |at: &PointRef| points[at.body][at.point].clone();
     let mut loads = Loads { numbers, name: &force.name };
     match &force.shape {
@@ -91,7 +98,7 @@ fn element(numbers: &mut Numbers<'_>, force: &Force, points: &Points) -> ForceNu
     }
 }
 
-fn along_coordinate(loads: &mut Loads<'_, '_>, shape: &ForceShape) -> ForceNumbers<f64> {
+fn along_coordinate<T: Scalar>(loads: &mut Loads<'_, '_, T>, shape: &ForceShape) -> ForceNumbers<T> {
     match shape {
         ForceShape::JointSpring { coordinate, stiffness, damping, free_position, preload } => {
             ForceNumbers::JointSpring {
@@ -127,7 +134,7 @@ fn along_coordinate(loads: &mut Loads<'_, '_>, shape: &ForceShape) -> ForceNumbe
 }
 
 /// Never made: the kinds without a coordinate are told apart before.
-fn nothing() -> ForceNumbers<f64> {
+fn nothing<T: Scalar>() -> ForceNumbers<T> {
     let coordinate = Coordinate { joint: bellcrank_multibody::JointId(0), index: 0 };
-    ForceNumbers::Effort { coordinate, value: Value::Constant(0.0) }
+    ForceNumbers::Effort { coordinate, value: Value::Constant(T::zero()) }
 }

@@ -4,33 +4,54 @@ use bellcrank_doc::Diagnostic;
 use bellcrank_multibody::{Joint as JointNumbers, JointKind, Place};
 
 use super::Numbers;
-use crate::design::{Direction, Joint, JointShape, Quantity};
+use crate::design::{Direction, Joint, JointShape, PointRef, Quantity};
+use crate::scalar::Scalar;
 
-pub(super) fn joints(numbers: &mut Numbers<'_>, points: &[Vec<Place<f64>>]) -> Vec<JointNumbers<f64>> {
+/// The joints, in the memory of those before.
+pub(super) fn joints<T: Scalar>(
+    numbers: &mut Numbers<'_, T>,
+    points: &[Vec<Place<T>>],
+    joints: &mut Vec<JointNumbers<T>>,
+) {
     let design = numbers.design;
-    design.joints.iter().map(|joint| one(numbers, joint, points)).collect()
+    joints.resize_with(design.joints.len(), nothing);
+    for (joint, place) in design.joints.iter().zip(joints) {
+        let start = std::mem::take(&mut place.start);
+        *place = one(numbers, joint, points, start);
+    }
 }
 
-fn one(numbers: &mut Numbers<'_>, joint: &Joint, points: &[Vec<Place<f64>>]) -> JointNumbers<f64> {
+/// A joint before its numbers are known.
+fn nothing<T>() -> JointNumbers<T> {
+    JointNumbers { kind: JointKind::Weld, places: None, start: Vec::new(), at_start: false }
+}
+
+fn one<T: Scalar>(
+    numbers: &mut Numbers<'_, T>,
+    joint: &Joint,
+    points: &[Vec<Place<T>>],
+    mut start: Vec<Option<T>>,
+) -> JointNumbers<T> {
     let kind = kind(numbers, joint);
-    let place = |at: crate::design::PointRef| points[at.body][at.point].clone();
+    let place = |at: PointRef| points[at.body][at.point].clone();
     let places = joint.connects.map(|[a, b]| [place(a), place(b)]);
-    let what = format!("`start` of joint `{}`", joint.name);
-    let mut start = |value: &Option<Quantity>| value.as_ref().map(|value| numbers.number(value, &what));
-    let start: Vec<Option<f64>> = joint.start.iter().map(&mut start).collect();
+    let what = format_args!("`start` of joint `{}`", joint.name);
+    start.clear();
+    start.extend(joint.start.iter().map(|value| value.as_ref().map(|value| numbers.number(value, what))));
     JointNumbers { kind, places, start, at_start: joint.at_start }
 }
 
-fn kind(numbers: &mut Numbers<'_>, joint: &Joint) -> JointKind<f64> {
+fn kind<T: Scalar>(numbers: &mut Numbers<'_, T>, joint: &Joint) -> JointKind<T> {
+    let name = &joint.name;
     let mut axis_of = |direction: &Direction| axis(numbers, joint, direction);
     match &joint.shape {
         JointShape::Revolute { axis } => JointKind::Revolute { axis: axis_of(axis) },
         JointShape::Prismatic { axis } => JointKind::Prismatic { axis: axis_of(axis) },
         JointShape::Cylindrical { axis } => JointKind::Cylindrical { axis: axis_of(axis) },
-        JointShape::Screw { axis, pitch } => {
-            let axis = axis_of(axis);
-            JointKind::Screw { axis, pitch: numbers.number(pitch, &format!("`pitch` of joint `{}`", joint.name)) }
-        }
+        JointShape::Screw { axis, pitch } => JointKind::Screw {
+            axis: axis_of(axis),
+            pitch: numbers.number(pitch, format_args!("`pitch` of joint `{name}`")),
+        },
         JointShape::Universal { axis, axis2 } => JointKind::Universal { axis: axis_of(axis), axis2: axis_of(axis2) },
         JointShape::Spherical => JointKind::Spherical,
         JointShape::Planar => JointKind::Planar,
@@ -43,21 +64,22 @@ fn kind(numbers: &mut Numbers<'_>, joint: &Joint) -> JointKind<f64> {
         JointShape::Coupler { a, b, ratio, offset } => JointKind::Coupler {
             a: *a,
             b: *b,
-            ratio: numbers.number(ratio, &format!("`ratio` of joint `{}`", joint.name)),
+            ratio: numbers.number(ratio, format_args!("`ratio` of joint `{name}`")),
             offset: offset
                 .as_ref()
-                .map_or(0.0, |offset| numbers.number(offset, &format!("`offset` of joint `{}`", joint.name))),
+                .map_or(T::zero(), |offset| numbers.number(offset, format_args!("`offset` of joint `{name}`"))),
         },
     }
 }
 
 /// In the plane hinges turn about z (or -z: backwards), and slides stay in it.
-fn axis(numbers: &mut Numbers<'_>, joint: &Joint, direction: &Direction) -> [f64; 3] {
-    let axis = numbers.direction(direction, &format!("the axis of joint `{}`", joint.name));
-    if !numbers.design.planar || axis == [0.0; 3] {
+fn axis<T: Scalar>(numbers: &mut Numbers<'_, T>, joint: &Joint, direction: &Direction) -> [T; 3] {
+    let axis = numbers.direction(direction, format_args!("the axis of joint `{}`", joint.name));
+    let [x, y, z] = axis.map(T::value);
+    if !numbers.design.planar || [x, y, z] == [0.0; 3] {
         return axis;
     }
-    let about_z = axis[0] == 0.0 && axis[1] == 0.0;
+    let about_z = x == 0.0 && y == 0.0;
     let report = |message: String, hint: &str| Diagnostic::error("not-in-plane", direction.span, message).hint(hint);
     if joint.kind == "revolute" && !about_z {
         let message = format!("joint `{}` turns about an axis other than z", joint.name);
@@ -65,7 +87,7 @@ fn axis(numbers: &mut Numbers<'_>, joint: &Joint, direction: &Direction) -> [f64
             message,
             "in the plane every hinge turns about z; leave `axis` out, or give `\"-z\"` to count backwards",
         ));
-    } else if joint.kind != "revolute" && axis[2] != 0.0 {
+    } else if joint.kind != "revolute" && z != 0.0 {
         let message = format!("the axis of joint `{}` leaves the plane", joint.name);
         numbers.faults.push(report(
             message,
@@ -75,10 +97,10 @@ fn axis(numbers: &mut Numbers<'_>, joint: &Joint, direction: &Direction) -> [f64
     axis
 }
 
-fn held_length(numbers: &mut Numbers<'_>, joint: &Joint, length: &Quantity) -> f64 {
-    let what = format!("`length` of joint `{}`", joint.name);
-    let value = numbers.number(length, &what);
-    if value <= 0.0 {
+fn held_length<T: Scalar>(numbers: &mut Numbers<'_, T>, joint: &Joint, length: &Quantity) -> T {
+    let what = format_args!("`length` of joint `{}`", joint.name);
+    let value = numbers.number(length, what);
+    if value.value() <= 0.0 {
         let message = format!("{what} is not positive");
         let hint = "two points that stay together are a `revolute` or `spherical` joint";
         numbers.faults.push(Diagnostic::error("negative", length.span(), message).hint(hint));

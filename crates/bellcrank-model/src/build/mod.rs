@@ -8,36 +8,51 @@ mod joints;
 mod plausible;
 mod studies;
 
+use std::fmt::Arguments;
+
 use bellcrank_doc::{Diagnostic, Span};
 use bellcrank_multibody::{Blueprint, Engine, engine_for};
 
 use crate::design::{Components, Design, Direction, Quantity, Values};
 use crate::geometry::Geometry;
+use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
 pub(crate) use plausible::{implausible, implausible_study};
 
 /// A model in numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Built {
-    pub(crate) blueprint: Blueprint<f64>,
-    pub(crate) geometry: Geometry,
+pub(crate) struct Built<T = f64> {
+    pub(crate) blueprint: Blueprint<T>,
+    pub(crate) geometry: Geometry<T>,
 }
 
 /// Evaluates a model. What the numbers are not fit for is reported; then there is no result.
-pub(crate) fn build(design: &Design, values: &Values, faults: &mut Vec<Diagnostic>) -> Option<Built> {
+pub(crate) fn build<T: Scalar>(design: &Design, values: &Values<T>, faults: &mut Vec<Diagnostic>) -> Option<Built<T>> {
+    let gravity = [T::zero(); 3];
+    let blueprint = Blueprint { gravity, bodies: Vec::new(), joints: Vec::new(), forces: Vec::new(), inputs: 0 };
+    let mut built = Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() } };
+    rebuild(design, values, &mut built, faults).then_some(built)
+}
+
+/// Evaluates a model in the memory of a former evaluation, and says whether its numbers are fit for a mechanism: what
+/// they are not fit for is reported, and `built` is of no use then. Allocates for reports only.
+pub(crate) fn rebuild<T: Scalar>(
+    design: &Design,
+    values: &Values<T>,
+    built: &mut Built<T>,
+    faults: &mut Vec<Diagnostic>,
+) -> bool {
     let before = faults.len();
     let mut numbers = Numbers { design, values, faults };
-    let gravity = numbers.vector(&design.gravity, "`gravity`");
-    let bodies = bodies::bodies(&mut numbers);
-    let points = bodies::points(&mut numbers);
-    let joints = joints::joints(&mut numbers, &points);
-    let (forces, spans) = forces::forces(&mut numbers, &points);
-    if numbers.faults.len() > before {
-        return None;
-    }
-    let blueprint = Blueprint { gravity, bodies, joints, forces, inputs: design.inputs.len() };
-    Some(Built { blueprint, geometry: Geometry { points, spans } })
+    let Built { blueprint, geometry } = built;
+    blueprint.inputs = design.inputs.len();
+    blueprint.gravity = numbers.vector(&design.gravity, format_args!("`gravity`"));
+    bodies::bodies(&mut numbers, &mut blueprint.bodies);
+    bodies::points(&mut numbers, &mut geometry.points);
+    joints::joints(&mut numbers, &geometry.points, &mut blueprint.joints);
+    forces::forces(&mut numbers, geometry, &mut blueprint.forces);
+    faults.len() == before
 }
 
 /// A mechanism of a blueprint, or what keeps it from being one.
@@ -45,32 +60,42 @@ pub(crate) fn engine(design: &Design, built: &Built) -> Result<Box<dyn Engine>, 
     engine_for(design.planar, &built.blueprint).map_err(|error| Box::new(faults::report(design, &error)))
 }
 
-/// Values as numbers, and what is wrong with them.
-struct Numbers<'a> {
+/// Values as numbers, and what is wrong with them. What a number is (`what`) becomes text in a report only.
+struct Numbers<'a, T: Scalar = f64> {
     design: &'a Design,
-    values: &'a Values,
+    values: &'a Values<T>,
     faults: &'a mut Vec<Diagnostic>,
 }
 
-impl Numbers<'_> {
+impl<T: Scalar> Numbers<'_, T> {
     fn report(&mut self, code: &'static str, span: Span, message: impl Into<String>) {
         self.faults.push(Diagnostic::error(code, span, message));
     }
 
     /// A finite number.
-    fn number(&mut self, quantity: &Quantity, what: &str) -> f64 {
-        let value = quantity.eval(self.values);
+    fn number(&mut self, quantity: &Quantity, what: Arguments<'_>) -> T {
+        let number = quantity.eval(self.values);
+        let value = number.value();
         if !value.is_finite() {
             let message = format!("{what} is not a finite number: `{}` gives {value}", quantity.expression.written());
             self.report("not-finite", quantity.span(), message);
-            return 0.0;
+            return T::zero();
         }
-        value
+        number
+    }
+
+    /// A finite number that is not negative.
+    fn positive(&mut self, quantity: &Quantity, what: Arguments<'_>) -> T {
+        let number = self.number(quantity, what);
+        if number.value() < 0.0 {
+            self.report("negative", quantity.span(), format!("{what} is negative"));
+        }
+        number
     }
 
     /// Three components; the third of a vector in the plane is 0.
-    fn vector(&mut self, quantities: &[Quantity], what: &str) -> [f64; 3] {
-        let mut vector = [0.0; 3];
+    fn vector(&mut self, quantities: &[Quantity], what: Arguments<'_>) -> [T; 3] {
+        let mut vector = [T::zero(); 3];
         for (place, quantity) in vector.iter_mut().zip(quantities) {
             *place = self.number(quantity, what);
         }
@@ -78,12 +103,12 @@ impl Numbers<'_> {
     }
 
     /// A direction that has one.
-    fn direction(&mut self, direction: &Direction, what: &str) -> [f64; 3] {
+    fn direction(&mut self, direction: &Direction, what: Arguments<'_>) -> [T; 3] {
         let axis = match &direction.components {
-            Components::Fixed(axis) => *axis,
+            Components::Fixed(axis) => axis.map(T::from_f64),
             Components::Given(quantities) => self.vector(quantities, what),
         };
-        if axis == [0.0; 3] {
+        if axis.iter().all(|component| component.value() == 0.0) {
             self.report("no-axis", direction.span, format!("{what} has no length, so it gives no direction"));
         }
         axis

@@ -11,7 +11,8 @@ const SLACK: f64 = 1e-6;
 /// Mass properties that contradict each other.
 pub(crate) fn implausible(design: &Design, values: &Values) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
-    let numbers = super::bodies::bodies(&mut Numbers { design, values, faults: &mut faults });
+    let mut numbers = Vec::new();
+    super::bodies::bodies(&mut Numbers { design, values, faults: &mut faults }, &mut numbers);
     let bodies = design.bodies.iter().zip(&numbers);
     bodies.filter_map(|(body, numbers)| mass(body, numbers).or_else(|| inertia(body, numbers))).collect()
 }
@@ -76,7 +77,7 @@ pub(crate) fn implausible_study(design: &Design, study: &Study) -> Option<Diagno
 fn at(design: &Design, values: &Values, sweep: &Sweep, first: bool) -> f64 {
     let mut faults = Vec::new();
     let end = if first { &sweep.from } else { &sweep.to };
-    Numbers { design, values, faults: &mut faults }.number(end, "")
+    Numbers { design, values, faults: &mut faults }.number(end, format_args!(""))
 }
 
 fn swept(task: &Task) -> Option<&Sweep> {

@@ -1,5 +1,7 @@
 //! Numbers of studies and motions that cannot be right.
 
+use std::fmt::Arguments;
+
 use bellcrank_doc::Diagnostic;
 
 use super::Numbers;
@@ -33,13 +35,13 @@ impl Study {
 
 fn held(numbers: &mut Numbers<'_>, holds: &[crate::design::Hold]) {
     for at in holds.iter().filter_map(|hold| hold.at.as_ref()) {
-        numbers.number(at, "the position of `hold`");
+        numbers.number(at, format_args!("the position of `hold`"));
     }
 }
 
 fn ends(numbers: &mut Numbers<'_>, sweep: &Sweep) {
-    numbers.number(&sweep.from, "`from` of the sweep");
-    numbers.number(&sweep.to, "`to` of the sweep");
+    numbers.number(&sweep.from, format_args!("`from` of the sweep"));
+    numbers.number(&sweep.to, format_args!("`to` of the sweep"));
 }
 
 fn check_over(numbers: &mut Numbers<'_>, over: &Over) {
@@ -47,11 +49,14 @@ fn check_over(numbers: &mut Numbers<'_>, over: &Over) {
         Over::Positions { sweep, velocity, acceleration, .. } => {
             ends(numbers, sweep);
             for rate in [velocity, acceleration].into_iter().flatten() {
-                numbers.number(rate, "the rate of the drive");
+                numbers.number(rate, format_args!("the rate of the drive"));
             }
         }
         Over::Time { duration, step, motions, .. } => {
-            let (lasts, each) = (above_zero(numbers, duration, "`duration`"), above_zero(numbers, step, "`step`"));
+            let (lasts, each) = (
+                above_zero(numbers, duration, format_args!("`duration`")),
+                above_zero(numbers, step, format_args!("`step`")),
+            );
             if let (Some(lasts), Some(each)) = (lasts, each) {
                 check_rows(numbers, step, lasts, each);
             }
@@ -69,7 +74,7 @@ fn check_rows(numbers: &mut Numbers<'_>, step: &Quantity, lasts: f64, each: f64)
     }
 }
 
-fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: &str) -> Option<f64> {
+fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: Arguments<'_>) -> Option<f64> {
     let before = numbers.faults.len();
     let value = numbers.number(quantity, what);
     if numbers.faults.len() == before && value <= 0.0 {
@@ -88,7 +93,7 @@ fn check_motions(numbers: &mut Numbers<'_>, motions: &[usize]) {
 fn check_motion(numbers: &mut Numbers<'_>, motion: &Prescribed) {
     match &motion.law {
         Law::Velocity(rate) => {
-            numbers.number(rate, &format!("`velocity` of motion `{}`", motion.name));
+            numbers.number(rate, format_args!("`velocity` of motion `{}`", motion.name));
         }
         Law::Segments(segments) => segments.iter().for_each(|segment| check_segment(numbers, motion, segment)),
         Law::Expressions(_) | Law::Table(_) => {}
@@ -96,8 +101,8 @@ fn check_motion(numbers: &mut Numbers<'_>, motion: &Prescribed) {
 }
 
 fn check_segment(numbers: &mut Numbers<'_>, motion: &Prescribed, segment: &Segment) {
-    above_zero(numbers, &segment.duration, &format!("the time of a segment of motion `{}`", motion.name));
+    above_zero(numbers, &segment.duration, format_args!("the time of a segment of motion `{}`", motion.name));
     if let SegmentKind::Move { to, .. } = &segment.kind {
-        numbers.number(to, &format!("`to` of a segment of motion `{}`", motion.name));
+        numbers.number(to, format_args!("`to` of a segment of motion `{}`", motion.name));
     }
 }

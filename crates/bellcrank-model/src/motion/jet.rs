@@ -4,156 +4,178 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use bellcrank_doc::Number;
 
-/// f, f′ and f″ at one instant.
+use crate::scalar::Scalar;
+
+/// f, f′ and f″ at one instant; each may have derivatives of its own, by parameters or by time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Jet {
-    pub(crate) value: f64,
-    pub(crate) first: f64,
-    pub(crate) second: f64,
+pub(crate) struct Jet<T = f64> {
+    pub(crate) value: T,
+    pub(crate) first: T,
+    pub(crate) second: T,
 }
 
-impl Jet {
-    pub(crate) const fn new(value: f64, first: f64, second: f64) -> Jet {
+impl<T> Jet<T> {
+    pub(crate) const fn new(value: T, first: T, second: T) -> Jet<T> {
         Jet { value, first, second }
+    }
+}
+
+impl<T: Scalar> Jet<T> {
+    /// What stays.
+    pub(crate) fn constant(value: T) -> Jet<T> {
+        Jet::new(value, T::zero(), T::zero())
     }
 
     /// The variable itself.
-    pub(crate) const fn variable(value: f64) -> Jet {
-        Jet::new(value, 1.0, 0.0)
+    pub(crate) fn variable(value: T) -> Jet<T> {
+        Jet::new(value, T::one(), T::zero())
     }
 
-    /// f(self), given f, f′ and f″ there.
-    fn chain(self, f: f64, slope: f64, bend: f64) -> Jet {
-        Jet::new(f, slope * self.first, bend * self.first * self.first + slope * self.second)
+    /// f(self), given f, f′ and f″ there. What stays has no rates, however steep f is.
+    fn chain(self, f: T, slope: T, bend: T) -> Jet<T> {
+        let bent = times(self.first, times(self.first, bend));
+        Jet::new(f, times(self.first, slope), bent + times(self.second, slope))
+    }
+
+    /// A function of expressions at the value.
+    fn apply(self, f: fn(T::Number) -> T::Number) -> T {
+        T::of(f(self.value.number()))
     }
 
     fn is_constant(self) -> bool {
-        self.first == 0.0 && self.second == 0.0
+        self.first.is_zero() && self.second.is_zero()
     }
 
-    fn exp(self) -> Jet {
+    fn exp(self) -> Jet<T> {
         let e = self.value.exp();
         self.chain(e, e, e)
     }
 
-    fn ln(self) -> Jet {
+    fn ln(self) -> Jet<T> {
         let x = self.value;
-        self.chain(x.ln(), 1.0 / x, -1.0 / (x * x))
+        let slope = T::one() / x;
+        self.chain(x.chain(x.value().ln(), slope.value()), slope, -slope * slope)
     }
 
-    /// x^n for a constant n; terms that vanish do so even where a negative power of 0 stands beside them.
-    fn power(self, n: f64) -> Jet {
-        let x = self.value;
-        let term = |factor: f64, exponent: f64| if factor == 0.0 { 0.0 } else { factor * x.powf(exponent) };
-        self.chain(x.powf(n), term(n, n - 1.0), term(n * (n - 1.0), n - 2.0))
+    /// x^n for a constant n.
+    fn power(self, n: T) -> Jet<T> {
+        let one = T::one();
+        let power = |n: T| T::of(self.value.number().powf(n.number()));
+        self.chain(power(n), times(n, power(n - one)), times(n * (n - one), power(n - one - one)))
     }
 }
 
-impl From<f64> for Jet {
-    fn from(value: f64) -> Jet {
-        Jet::new(value, 0.0, 0.0)
+/// A product whose first factor, when it vanishes, does so even where a negative power of 0 stands beside it.
+fn times<T: Scalar>(factor: T, o: T) -> T {
+    if factor.is_zero() { T::zero() } else { factor * o }
+}
+
+impl<T: Scalar> From<f64> for Jet<T> {
+    fn from(value: f64) -> Jet<T> {
+        Jet::constant(T::from_f64(value))
     }
 }
 
-impl Add for Jet {
-    type Output = Jet;
-    fn add(self, o: Jet) -> Jet {
+impl<T: Scalar> Add for Jet<T> {
+    type Output = Jet<T>;
+    fn add(self, o: Jet<T>) -> Jet<T> {
         Jet::new(self.value + o.value, self.first + o.first, self.second + o.second)
     }
 }
 
-impl Sub for Jet {
-    type Output = Jet;
-    fn sub(self, o: Jet) -> Jet {
-        self + -o
+impl<T: Scalar> Sub for Jet<T> {
+    type Output = Jet<T>;
+    fn sub(self, o: Jet<T>) -> Jet<T> {
+        Jet::new(self.value - o.value, self.first - o.first, self.second - o.second)
     }
 }
 
-impl Mul for Jet {
-    type Output = Jet;
-    fn mul(self, o: Jet) -> Jet {
+impl<T: Scalar> Mul for Jet<T> {
+    type Output = Jet<T>;
+    fn mul(self, o: Jet<T>) -> Jet<T> {
+        let two = T::from_f64(2.0);
         Jet::new(
             self.value * o.value,
             self.first * o.value + self.value * o.first,
-            self.second * o.value + 2.0 * self.first * o.first + self.value * o.second,
+            self.second * o.value + two * self.first * o.first + self.value * o.second,
         )
     }
 }
 
-impl Div for Jet {
-    type Output = Jet;
-    fn div(self, o: Jet) -> Jet {
+impl<T: Scalar> Div for Jet<T> {
+    type Output = Jet<T>;
+    fn div(self, o: Jet<T>) -> Jet<T> {
+        let two = T::from_f64(2.0);
         let value = self.value / o.value;
         let first = (self.first - value * o.first) / o.value;
-        let second = (self.second - 2.0 * first * o.first - value * o.second) / o.value;
+        let second = (self.second - two * first * o.first - value * o.second) / o.value;
         Jet::new(value, first, second)
     }
 }
 
-impl Neg for Jet {
-    type Output = Jet;
-    fn neg(self) -> Jet {
+impl<T: Scalar> Neg for Jet<T> {
+    type Output = Jet<T>;
+    fn neg(self) -> Jet<T> {
         Jet::new(-self.value, -self.first, -self.second)
     }
 }
 
-impl Number for Jet {
+impl<T: Scalar> Number for Jet<T> {
     fn value(self) -> f64 {
-        self.value
+        self.value.value()
     }
-    fn sin(self) -> Jet {
+    fn sin(self) -> Jet<T> {
         let (s, c) = self.value.sin_cos();
         self.chain(s, c, -s)
     }
-    fn cos(self) -> Jet {
+    fn cos(self) -> Jet<T> {
         let (s, c) = self.value.sin_cos();
         self.chain(c, -s, -c)
     }
-    fn tan(self) -> Jet {
-        let t = self.value.tan();
-        let slope = 1.0 + t * t;
-        self.chain(t, slope, 2.0 * t * slope)
+    fn tan(self) -> Jet<T> {
+        let t = self.apply(Number::tan);
+        let slope = T::one() + t * t;
+        self.chain(t, slope, T::from_f64(2.0) * t * slope)
     }
-    fn asin(self) -> Jet {
+    fn asin(self) -> Jet<T> {
         let x = self.value;
-        let slope = 1.0 / (1.0 - x * x).sqrt();
-        self.chain(x.asin(), slope, x * slope.powi(3))
+        let slope = T::one() / (T::one() - x * x).sqrt();
+        self.chain(self.apply(Number::asin), slope, x * slope * slope * slope)
     }
-    fn acos(self) -> Jet {
+    fn acos(self) -> Jet<T> {
         let x = self.value;
-        let slope = -1.0 / (1.0 - x * x).sqrt();
-        self.chain(x.acos(), slope, x * slope.powi(3))
+        let slope = -T::one() / (T::one() - x * x).sqrt();
+        self.chain(self.apply(Number::acos), slope, x * slope * slope * slope)
     }
-    fn atan(self) -> Jet {
+    fn atan(self) -> Jet<T> {
         let x = self.value;
-        let slope = 1.0 / (1.0 + x * x);
-        self.chain(x.atan(), slope, -2.0 * x * slope * slope)
+        let slope = T::one() / (T::one() + x * x);
+        self.chain(self.apply(Number::atan), slope, T::from_f64(-2.0) * x * slope * slope)
     }
-    fn atan2(self, x: Jet) -> Jet {
+    fn atan2(self, x: Jet<T>) -> Jet<T> {
         let y = self;
         let square = x.value * x.value + y.value * y.value;
         let turn = x.value * y.first - y.value * x.first;
         let first = turn / square;
         let rise = x.value * y.second - y.value * x.second;
-        let growth = 2.0 * (x.value * x.first + y.value * y.first);
-        Jet::new(y.value.atan2(x.value), first, (rise - first * growth) / square)
+        let growth = T::from_f64(2.0) * (x.value * x.first + y.value * y.first);
+        let angle = T::of(y.value.number().atan2(x.value.number()));
+        Jet::new(angle, first, (rise - first * growth) / square)
     }
-    fn sqrt(self) -> Jet {
-        let root = self.value.sqrt();
-        let slope = 0.5 / root;
-        self.chain(root, slope, -0.5 * slope / self.value)
+    fn sqrt(self) -> Jet<T> {
+        let root = self.apply(Number::sqrt);
+        let slope = T::from_f64(0.5) / root;
+        self.chain(root, slope, T::from_f64(-0.5) * slope / self.value)
     }
-    fn abs(self) -> Jet {
-        if self.value < 0.0 { -self } else { self }
+    fn abs(self) -> Jet<T> {
+        if self.value.value() < 0.0 { -self } else { self }
     }
-    fn powi(self, n: i32) -> Jet {
-        let x = self.value;
-        let term = |factor: f64, exponent: i32| if factor == 0.0 { 0.0 } else { factor * x.powi(exponent) };
-        let n_f = f64::from(n);
-        let lower = |by: i32| n.saturating_sub(by);
-        self.chain(x.powi(n), term(n_f, lower(1)), term(n_f * (n_f - 1.0), lower(2)))
+    fn powi(self, n: i32) -> Jet<T> {
+        let k = T::from_f64(f64::from(n));
+        let power = |by: i32| T::of(self.value.number().powi(n.saturating_sub(by)));
+        self.chain(power(0), times(k, power(1)), times(k * (k - T::one()), power(2)))
     }
-    fn powf(self, n: Jet) -> Jet {
+    fn powf(self, n: Jet<T>) -> Jet<T> {
         if n.is_constant() { self.power(n.value) } else { (n * self.ln()).exp() }
     }
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::Jet;
+use crate::scalar::Scalar;
 
 /// The shape of a move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +60,7 @@ impl Profile {
     }
 
     /// Share of the way at share `t` (0 to 1) of the time, with both derivatives.
-    pub(crate) fn at(self, t: f64) -> Jet {
+    pub(crate) fn at<T: Scalar>(self, t: T) -> Jet<T> {
         let jet = match self {
             Profile::Cycloidal => cycloidal(t),
             Profile::Poly5 => poly5(t),
@@ -68,41 +69,48 @@ impl Profile {
             Profile::SCurve => mirrored(S_CURVE, t),
             Profile::Linear => Jet::variable(t),
         };
-        if t == 1.0 { Jet { value: 1.0, ..jet } } else { jet }
+        if t.value() == 1.0 { Jet { value: jet.value.with_value(1.0), ..jet } } else { jet }
     }
 }
 
-fn cycloidal(t: f64) -> Jet {
-    let (s, c) = (TAU * t).sin_cos();
-    Jet::new(t - s / TAU, 1.0 - c, TAU * s)
+fn cycloidal<T: Scalar>(t: T) -> Jet<T> {
+    let turn = T::from_f64(TAU);
+    let (s, c) = (turn * t).sin_cos();
+    Jet::new(t - s / turn, T::one() - c, turn * s)
 }
 
-fn poly5(t: f64) -> Jet {
-    let rest = 1.0 - t;
-    Jet::new(t * t * t * (10.0 + t * (6.0 * t - 15.0)), 30.0 * t * t * rest * rest, 60.0 * t * rest * (1.0 - 2.0 * t))
+fn poly5<T: Scalar>(t: T) -> Jet<T> {
+    let c = T::from_f64;
+    let rest = c(1.0) - t;
+    Jet::new(
+        t * t * t * (c(10.0) + t * (c(6.0) * t - c(15.0))),
+        c(30.0) * t * t * rest * rest,
+        c(60.0) * t * rest * (c(1.0) - c(2.0) * t),
+    )
 }
 
-fn mirrored(pieces: &[Piece], t: f64) -> Jet {
-    if t <= 0.5 {
+fn mirrored<T: Scalar>(pieces: &[Piece], t: T) -> Jet<T> {
+    if t.value() <= 0.5 {
         return integrated(pieces, t);
     }
-    let back = integrated(pieces, 1.0 - t);
-    Jet::new(1.0 - back.value, back.first, -back.second)
+    let back = integrated(pieces, T::one() - t);
+    Jet::new(T::one() - back.value, back.first, -back.second)
 }
 
 /// Position, velocity and acceleration after the time `t`, from rest.
-fn integrated(pieces: &[Piece], t: f64) -> Jet {
+fn integrated<T: Scalar>(pieces: &[Piece], t: T) -> Jet<T> {
+    let c = T::from_f64;
     let mut now = Jet::default();
     let mut left = t;
     for piece in pieces {
-        let dt = left.min(piece.lasts);
+        let dt = if left.value() <= piece.lasts { left } else { c(piece.lasts) };
         now = Jet::new(
-            now.value + dt * (now.first + dt * (piece.from / 2.0 + dt * piece.jerk / 6.0)),
-            now.first + dt * (piece.from + dt * piece.jerk / 2.0),
-            piece.from + dt * piece.jerk,
+            now.value + dt * (now.first + dt * (c(piece.from / 2.0) + dt * c(piece.jerk) / c(6.0))),
+            now.first + dt * (c(piece.from) + dt * c(piece.jerk) / c(2.0)),
+            c(piece.from) + dt * c(piece.jerk),
         );
         left -= dt;
-        if left <= 0.0 {
+        if left.value() <= 0.0 {
             break;
         }
     }

@@ -1,6 +1,7 @@
 //! A curve through the points of a table with continuous second derivative.
 
 use super::Jet;
+use crate::scalar::Scalar;
 
 /// A cubic spline with not-a-knot ends: cubics pass through it unchanged.
 #[derive(Debug, PartialEq)]
@@ -28,25 +29,28 @@ impl Spline {
     }
 
     /// Value and derivatives; outside of the table the nearest end, at rest.
-    pub(crate) fn at(&self, time: f64) -> Jet {
+    pub(crate) fn at<T: Scalar>(&self, time: T) -> Jet<T> {
         let last = self.times.len() - 1;
-        if time < self.times[0] {
+        if time.value() < self.times[0] {
             return Jet::from(self.values[0]);
         }
-        if time > self.times[last] {
+        if time.value() > self.times[last] {
             return Jet::from(self.values[last]);
         }
-        let i = self.times.partition_point(|&t| t <= time).clamp(1, last);
+        let i = self.times.partition_point(|&t| t <= time.value()).clamp(1, last);
         self.between(i - 1, time)
     }
 
-    fn between(&self, i: usize, time: f64) -> Jet {
-        let h = self.times[i + 1] - self.times[i];
-        let (a, b) = ((self.times[i + 1] - time) / h, (time - self.times[i]) / h);
-        let (y0, y1, m0, m1) = (self.values[i], self.values[i + 1], self.bends[i], self.bends[i + 1]);
+    fn between<T: Scalar>(&self, i: usize, time: T) -> Jet<T> {
+        let c = T::from_f64;
+        let (from, to) = (c(self.times[i]), c(self.times[i + 1]));
+        let h = to - from;
+        let (a, b) = ((to - time) / h, (time - from) / h);
+        let (y0, y1, m0, m1) = (c(self.values[i]), c(self.values[i + 1]), c(self.bends[i]), c(self.bends[i + 1]));
+        let (one, three, six) = (c(1.0), c(3.0), c(6.0));
         Jet::new(
-            a * y0 + b * y1 + h * h / 6.0 * (a * (a * a - 1.0) * m0 + b * (b * b - 1.0) * m1),
-            (y1 - y0) / h + h / 6.0 * ((1.0 - 3.0 * a * a) * m0 + (3.0 * b * b - 1.0) * m1),
+            a * y0 + b * y1 + h * h / six * (a * (a * a - one) * m0 + b * (b * b - one) * m1),
+            (y1 - y0) / h + h / six * ((one - three * a * a) * m0 + (three * b * b - one) * m1),
             a * m0 + b * m1,
         )
     }

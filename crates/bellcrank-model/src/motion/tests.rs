@@ -1,4 +1,5 @@
 use bellcrank_doc::Number;
+use bellcrank_math::Dual;
 
 use super::*;
 
@@ -96,4 +97,32 @@ fn short_tables_are_lines_and_parabolas() {
     let parabola = Spline::through(vec![0.0, 1.0, 3.0], vec![0.0, 1.0, 9.0]).expect("three points");
     assert!((parabola.at(2.0).value - 4.0).abs() < 1e-12);
     assert!(Spline::through(vec![0.0, 0.0], vec![1.0, 1.0]).is_none());
+}
+
+#[test]
+fn time_with_a_derivative_gives_the_jerk_and_at_the_end_that_of_the_way_there() {
+    let time = |t: f64| Dual::<1>::variable(t, 0);
+    for profile in PROFILES {
+        let (here, plain) = (profile.at(time(0.4)), profile.at(0.4));
+        let difference = (here.value.eps[0] - plain.first).abs() + (here.first.eps[0] - plain.second).abs();
+        assert!(difference < 1e-13, "{profile:?}: {difference}");
+        let h = 1e-5;
+        let jerk = (profile.at(0.4 + h).second - profile.at(0.4 - h).second) / (2.0 * h);
+        assert!((here.second.eps[0] - jerk).abs() < 1e-6 * (1.0 + jerk.abs()), "{profile:?}");
+        let end = profile.at(time(1.0));
+        assert_eq!(end.value.re, 1.0, "{profile:?}");
+        assert!((end.value.eps[0] - profile.at(1.0).first).abs() < 1e-13, "{profile:?}");
+    }
+    let spline = Spline::through(vec![0.0, 0.4, 1.0, 1.1], vec![0.3, 0.1, 0.7, 0.2]).expect("increasing times");
+    let (here, plain) = (spline.at(time(0.7)), spline.at(0.7));
+    let difference = (here.value.eps[0] - plain.first).abs() + (here.first.eps[0] - plain.second).abs();
+    assert!(difference < 1e-13, "{difference}");
+}
+
+#[test]
+fn jets_of_constants_have_no_rates_where_a_function_is_steep() {
+    let c = Jet::<f64>::from;
+    for jet in [c(0.0).sqrt(), c(1.0).asin(), c(0.0).powf(c(0.5))] {
+        assert_eq!([jet.first, jet.second], [0.0; 2]);
+    }
 }

@@ -39,13 +39,13 @@ impl Frames {
             return;
         }
         let pose = |body| {
-            let motion = view.engine.body(BodyId(body));
+            let motion = view.readings.body(BodyId(body));
             Pose { position: motion.origin, quaternion: quaternion_from_matrix(&motion.rotation) }
         };
         self.animation.rows.push(row);
         self.animation.frames.push((0..self.bodies).map(pose).collect());
         let arrow = |force: &ForceId| match view.level {
-            Level::Force => view.engine.force(*force).vector,
+            Level::Force => view.readings.force(*force).vector,
             _ => [f64::NAN; 3],
         };
         self.animation.arrows.push(self.arrows.iter().map(arrow).collect());

@@ -2,13 +2,13 @@
 
 mod animation;
 mod explain;
-mod inputs;
+pub(crate) mod inputs;
 mod notes;
 mod recorder;
 mod session;
 mod statics;
-mod sweep;
-mod time;
+pub(crate) mod sweep;
+pub(crate) mod time;
 
 use std::time::Instant;
 

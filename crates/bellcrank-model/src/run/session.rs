@@ -7,7 +7,7 @@ use bellcrank_results::{Failure, Reaction, StudyResult};
 use super::End;
 use super::animation::Frames;
 use super::explain::{self, Namer};
-use super::inputs::Inputs;
+use super::inputs::{Evaluated, Inputs};
 use super::notes::Notes;
 use super::recorder::Recorder;
 use crate::build::{self, Built};
@@ -25,7 +25,7 @@ pub(crate) struct Session<'d> {
     pub(super) study: &'d Study,
     built: Built,
     engine: Box<dyn Engine>,
-    inputs: Inputs<'d>,
+    inputs: Inputs,
     recorder: Recorder,
     frames: Frames,
     efforts: Vec<Coordinate>,
@@ -49,7 +49,7 @@ impl<'d> Session<'d> {
         let mut faults = Vec::new();
         let built = build::build(design, &study.values, &mut faults).ok_or_else(|| refused(faults.first()))?;
         let engine = build::engine(design, &built).map_err(|fault| refused(Some(&fault)))?;
-        let inputs = Inputs::new(design, &study.values);
+        let inputs = Inputs::new(design);
         let result = StudyResult {
             changed: study.changed.iter().filter_map(|&i| parameter_row(design, &study.parameters, i, "")).collect(),
             ..StudyResult::default()
@@ -165,7 +165,9 @@ impl<'d> Session<'d> {
             }
         };
         // Kinematics solves forces as well: the loop closure is told together with the power balance.
-        match solve_forces(&mut *self.engine, &mut self.inputs, self.design, &self.built) {
+        let of = Evaluated { design: self.design, values: &self.study.values, geometry: &self.built.geometry };
+        let inputs = &mut self.inputs;
+        match self.engine.solve_forces(&mut |at, values| inputs.evaluate(at, of, values)) {
             Ok(()) => {
                 self.effort.force_solutions += 1;
                 (Level::Force, moved)
@@ -183,7 +185,7 @@ impl<'d> Session<'d> {
     /// Adds the present position to the rows.
     pub(super) fn record(&mut self, level: Level) {
         let view = View {
-            engine: &*self.engine,
+            readings: &*self.engine,
             catalogue: &self.design.catalogue,
             geometry: &self.built.geometry,
             efforts: &self.efforts,
@@ -202,9 +204,9 @@ impl<'d> Session<'d> {
         hold: &[(Coordinate, f64)],
         place: &str,
     ) -> Result<bellcrank_multibody::Equilibrium, End> {
-        let (inputs, design, built) = (&mut self.inputs, self.design, &self.built);
-        let mut ask = |engine: &dyn Engine, values: &mut [f64]| inputs.evaluate(engine, design, built, values);
-        match self.engine.equilibrium(hold, &mut ask) {
+        let of = Evaluated { design: self.design, values: &self.study.values, geometry: &self.built.geometry };
+        let inputs = &mut self.inputs;
+        match self.engine.equilibrium(hold, &mut |at, values| inputs.evaluate(at, of, values)) {
             Ok(found) => {
                 self.effort.iterations += found.iterations;
                 self.effort.positions += 1;
@@ -257,15 +259,6 @@ impl<'d> Session<'d> {
         result.failure = failure.map(|failure| *failure);
         result
     }
-}
-
-fn solve_forces(
-    engine: &mut dyn Engine,
-    inputs: &mut Inputs<'_>,
-    design: &Design,
-    built: &Built,
-) -> Result<(), MechanismError> {
-    engine.solve_forces(&mut |engine, values| inputs.evaluate(engine, design, built, values))
 }
 
 /// A model that was checked is refused only for a fault of the program; it is told like any other.

@@ -1,5 +1,6 @@
 //! Over positions: one coordinate is swept, one (the same unless given) moves at a given rate.
 
+use bellcrank_math::Real;
 use bellcrank_multibody::{Actuation, Coordinate};
 
 use super::End;
@@ -107,7 +108,7 @@ fn rows(session: &mut Session<'_>, plan: &Plan<'_>, progress: &mut dyn Progress,
 }
 
 /// Equal steps, both ends exact.
-pub(super) fn position(from: f64, to: f64, row: usize, last: usize) -> f64 {
+pub(crate) fn position<T: Real>(from: T, to: T, row: usize, last: usize) -> T {
     let share = row as f64 / last as f64;
-    from * (1.0 - share) + to * share
+    from * T::from_f64(1.0 - share) + to * T::from_f64(share)
 }

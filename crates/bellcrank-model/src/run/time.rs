@@ -1,5 +1,6 @@
 //! Over time: motions prescribe coordinates, drives carry the efforts.
 
+use bellcrank_math::Real;
 use bellcrank_multibody::{Actuation, Coordinate};
 
 use super::End;
@@ -72,21 +73,21 @@ fn assemble(session: &mut Session<'_>, motions: &[&Prescribed], holds: &[Hold]) 
 }
 
 /// The instants of the rows: equal steps, the end exact.
-struct Times {
-    duration: f64,
-    step: f64,
-    rows: usize,
+pub(crate) struct Times<T = f64> {
+    duration: T,
+    step: T,
+    pub(crate) rows: usize,
 }
 
-impl Times {
-    fn new(duration: f64, step: f64) -> Times {
+impl<T: Real> Times<T> {
+    pub(crate) fn new(duration: T, step: T) -> Times<T> {
         // A step that fits but for rounding does not leave a sliver at the end.
-        let steps = (duration / step - 1e-9).ceil().max(1.0);
+        let steps = (duration.value() / step.value() - 1e-9).ceil().max(1.0);
         Times { duration, step, rows: steps as usize + 1 }
     }
 
-    fn at(&self, row: usize) -> f64 {
-        if row + 1 >= self.rows { self.duration } else { row as f64 * self.step }
+    pub(crate) fn at(&self, row: usize) -> T {
+        if row + 1 >= self.rows { self.duration } else { T::from_f64(row as f64) * self.step }
     }
 }
 

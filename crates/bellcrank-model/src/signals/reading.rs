@@ -1,71 +1,73 @@
 //! The values of signals at the present position.
 
-use bellcrank_math::rpy_from_matrix;
-use bellcrank_multibody::{BodyId, Coordinate, Engine, ForceId, JointId, PointMotion};
+use bellcrank_math::{Real, rpy_from_matrix};
+use bellcrank_multibody::{BodyId, Coordinate, ForceId, JointId, PointMotion, Readings};
 
 use super::columns::reaction_components;
 use super::{Catalogue, Level, Outputs, Source};
 use crate::geometry::Geometry;
+use crate::scalar::length;
 
 /// Most signals that one source has.
 pub(crate) const MOST: usize = 18;
 
 /// A solved position and what is needed to name its numbers.
-pub(crate) struct View<'a> {
-    pub(crate) engine: &'a dyn Engine,
+pub(crate) struct View<'a, T = f64> {
+    pub(crate) readings: &'a dyn Readings<T>,
     pub(crate) catalogue: &'a Catalogue,
-    pub(crate) geometry: &'a Geometry,
-    /// Coordinates that carry efforts, in the order of [`Engine::drive`].
+    pub(crate) geometry: &'a Geometry<T>,
+    /// Coordinates that carry efforts, in the order of [`Readings::drive`].
     pub(crate) efforts: &'a [Coordinate],
     /// How far the position is solved; what lies beyond reads NaN.
     pub(crate) level: Level,
 }
 
 /// Fills a slice from its front.
-struct Out<'a> {
-    values: &'a mut [f64],
+struct Out<'a, T> {
+    values: &'a mut [T],
     next: usize,
 }
 
-impl Out<'_> {
-    fn push(&mut self, value: f64) {
+impl<T: Real> Out<'_, T> {
+    fn push(&mut self, value: T) {
         if let Some(place) = self.values.get_mut(self.next) {
             *place = value;
         }
         self.next += 1;
     }
 
-    fn extend(&mut self, values: &[f64]) {
+    fn extend(&mut self, values: &[T]) {
         values.iter().for_each(|&value| self.push(value));
     }
 }
 
-impl View<'_> {
+impl<T: Real> View<'_, T> {
     /// Values of the source's signals, SI, in the order of its columns.
-    pub(crate) fn read(&self, source: Source, values: &mut [f64]) {
-        values.fill(f64::NAN);
+    pub(crate) fn read(&self, source: Source, values: &mut [T]) {
+        values.fill(T::from_f64(f64::NAN));
         let mut out = Out { values, next: 0 };
         match source {
-            Source::Time => out.push(self.engine.time()),
+            Source::Time => out.push(self.readings.time()),
             Source::Joint(c) => {
-                let at = self.engine.coordinate(c);
+                let at = self.readings.coordinate(c);
                 out.extend(&[at.position, at.velocity, at.acceleration]);
             }
             Source::Drive(c) => self.drive(c, &mut out),
             Source::Reaction(joint) => self.reaction(joint, &mut out),
             Source::Point { body, point } => {
                 let at = self.geometry.points.get(body).and_then(|points| points.get(point));
-                self.point(&self.engine.point(BodyId(body), at.map_or([0.0; 3], |place| place.position)), &mut out);
+                let at = at.map_or([T::zero(); 3], |place| place.position);
+                self.point(&self.readings.point(BodyId(body), at), &mut out);
             }
             Source::Body(body) => self.body(BodyId(body), &mut out),
             Source::Force(force) => self.force(force, &mut out),
             Source::Energy => {
-                let energy = self.engine.energy();
+                let energy = self.readings.energy();
                 out.extend(&[energy.kinetic, energy.potential, energy.kinetic + energy.potential]);
             }
             Source::Check => {
-                let checks = self.engine.checks();
-                out.extend(&[checks.closure, checks.balance]);
+                let checks = self.readings.checks();
+                out.extend(&[checks.closure, checks.balance].map(T::from_f64));
             }
         }
     }
@@ -78,19 +80,19 @@ impl View<'_> {
         self.level >= Level::Force
     }
 
-    fn drive(&self, c: Coordinate, out: &mut Out<'_>) {
+    fn drive(&self, c: Coordinate, out: &mut Out<'_, T>) {
         let place = self.efforts.iter().position(|&effort| effort == c);
         if let Some(place) = place.filter(|_| self.solved()) {
-            let effort = self.engine.drive(place);
-            out.extend(&[effort, effort * self.engine.coordinate(c).velocity]);
+            let effort = self.readings.drive(place);
+            out.extend(&[effort, effort * self.readings.coordinate(c).velocity]);
         }
     }
 
-    fn reaction(&self, joint: usize, out: &mut Out<'_>) {
+    fn reaction(&self, joint: usize, out: &mut Out<'_, T>) {
         if !self.solved() {
             return;
         }
-        let wrench = self.engine.reaction(JointId(joint));
+        let wrench = self.readings.reaction(JointId(joint));
         if self.catalogue.layout().joints.get(joint).is_some_and(|joint| joint.coupler) {
             out.push(wrench.force[0]);
             return;
@@ -101,15 +103,15 @@ impl View<'_> {
         out.extend(&[length(wrench.force), length(wrench.moment)]);
     }
 
-    fn point(&self, motion: &PointMotion, out: &mut Out<'_>) {
+    fn point(&self, motion: &PointMotion<T>, out: &mut Out<'_, T>) {
         let axes = if self.planar() { 2 } else { 3 };
         for vector in [motion.position, motion.velocity, motion.acceleration] {
             out.extend(&vector[..axes]);
         }
     }
 
-    fn body(&self, body: BodyId, out: &mut Out<'_>) {
-        let motion = self.engine.body(body);
+    fn body(&self, body: BodyId, out: &mut Out<'_, T>) {
+        let motion = self.readings.body(body);
         self.point(&motion.center, out);
         if self.planar() {
             let angle = motion.rotation[1][0].atan2(motion.rotation[0][0]);
@@ -121,15 +123,15 @@ impl View<'_> {
         }
     }
 
-    fn force(&self, force: usize, out: &mut Out<'_>) {
+    fn force(&self, force: usize, out: &mut Out<'_, T>) {
         let outputs = self.catalogue.layout().forces.get(force).map(|force| force.outputs);
         if let Some(Outputs::Element(_)) = outputs {
-            out.extend(&self.geometry.element(force, self.engine));
+            out.extend(&self.geometry.element(force, self.readings));
         }
         if !self.solved() {
             return;
         }
-        let of = self.engine.force(ForceId(force));
+        let of = self.readings.force(ForceId(force));
         match outputs {
             Some(Outputs::Force) => out.extend(if self.planar() { &of.vector[..2] } else { &of.vector }),
             Some(Outputs::Torque) => out.extend(if self.planar() { &of.vector[2..] } else { &of.vector }),
@@ -137,8 +139,4 @@ impl View<'_> {
         }
         out.push(of.effort);
     }
-}
-
-fn length(vector: [f64; 3]) -> f64 {
-    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
