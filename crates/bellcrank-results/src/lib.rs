@@ -9,6 +9,7 @@ mod drawing;
 mod finding_tables;
 mod findings;
 mod reductions;
+mod rows;
 mod run;
 mod study;
 mod summary;
@@ -21,6 +22,7 @@ pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceK
 pub use finding_tables::finding_tables;
 pub use findings::*;
 pub use reductions::{Extreme, Reductions};
+pub use rows::{CsvRows, ParquetRows, RowColumn, RowKind, RowWriter};
 pub use run::{ParameterRow, Provenance, RunResult};
 pub use study::{Failure, Reaction, StudyResult};
 pub use summary::{run_summary, study_summary};

@@ -71,7 +71,7 @@ impl Progress {
         frame.draw_grid(svg);
         draw(svg, x, &y, &best.violation, &stroke(1), true);
         draw(svg, x, &y, &best.optimality, &stroke(2), true);
-        frame.draw(svg, "", ("iteration", "scaled"));
+        frame.draw(svg, "", ("iteration", "scaled, 0 at the bottom"));
     }
 }
 

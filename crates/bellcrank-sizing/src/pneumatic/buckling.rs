@@ -76,7 +76,7 @@ impl Mount {
         }
     }
     /// Strokes, and base lengths of the body, in the column.
-    fn shares(self) -> (f64, f64) {
+    pub(crate) fn shares(self) -> (f64, f64) {
         match self {
             Mount::Rear => (2.0, 1.0),
             Mount::Centre => (1.5, 0.5),
@@ -97,7 +97,8 @@ pub struct Mounting {
 }
 
 impl Mounting {
-    /// Length of the column with the rod fully out, m. A base length that the catalogue does not give counts as 0.
+    /// Length of the column with the rod fully out, m. A base length that the catalogue does
+    /// not give counts as 0, which is not on the safe side: put it into `offset`, or into the catalogue.
     pub fn column(&self, stroke: f64, base_length: Option<f64>) -> f64 {
         let (strokes, bases) = self.at.shares();
         strokes * stroke + bases * base_length.unwrap_or(0.0) + self.offset

@@ -69,10 +69,16 @@ impl Trial<'_> {
             "Euler's load {} at {} ({}) / {} = {is}, needed {needed}",
             shown(critical, Quantity::Force),
             shown(length, Quantity::Length),
-            self.conditions.mounting.end.key(),
+            self.held(),
             number(self.conditions.buckling_safety)
         );
         Check::new(Subject::Buckling, Quantity::Force, force, allowed, reason)
+    }
+    /// How the column is held, and whether a part of its length is missing.
+    fn held(&self) -> String {
+        let mounting = &self.conditions.mounting;
+        let missing = mounting.at.shares().1 > 0.0 && self.cylinder.base_length.is_none() && mounting.offset == 0.0;
+        format!("{}{}", mounting.end.key(), if missing { ", without the body's base length" } else { "" })
     }
     pub(super) fn column(&self) -> f64 {
         self.conditions.mounting.column(self.stroke.length(), self.cylinder.base_length)

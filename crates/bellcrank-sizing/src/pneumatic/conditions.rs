@@ -25,11 +25,11 @@ impl Supply {
 }
 
 /// Load factor for fast, dynamic motion: half the theoretical force moves the load, the rest accelerates it, pushes
-/// out the exhaust air and overcomes the seals (makers' selection guides, e.g. SMC: 0.5 or less).
+/// out the exhaust air and overcomes the seals (usual practice, as in makers' selection guides).
 pub const LOAD_FACTOR_FAST: f64 = 0.5;
-/// Load factor for general use (makers' selection guides: 0.7).
+/// Load factor for general use (usual practice).
 pub const LOAD_FACTOR_GENERAL: f64 = 0.7;
-/// Load factor for slow or holding work on a stable supply (practice: 0.8 to 1).
+/// Load factor for slow or holding work on a stable supply (usual practice: 0.8 to 1).
 pub const LOAD_FACTOR_SLOW: f64 = 0.8;
 /// Safety against buckling that charts of pneumatic makers are commonly drawn for; Hänchen gives 3 to 5 for hydraulic
 /// cylinders.

@@ -143,6 +143,13 @@ fn a_long_thin_rod_buckles() {
     assert!(!candidate.passes());
     near(candidate.critical_load, 13752.0, 1e-4);
 
+    // A column that lacks a part is told.
+    let bare = Mounting { offset: 0.0, ..conditions().mounting };
+    let judged_bare = judged(&duty, &long, &Conditions { mounting: bare, ..conditions() });
+    let said =
+        "Euler's load 15524 N at 1600 mm (pinned-pinned, without the body's base length) / 5 = 3105 N, needed 3000 N";
+    assert_eq!(check(&judged_bare, Subject::Buckling).reason, said);
+
     let front = Mounting { at: Mount::Front, ..conditions().mounting };
     assert!(judged(&duty, &long, &Conditions { mounting: front, ..conditions() }).passes());
 

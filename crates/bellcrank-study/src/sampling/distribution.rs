@@ -58,9 +58,9 @@ impl Distribution {
     }
 }
 
-/// Zero times infinity is a deviation of zero.
+/// σ x, where no scatter at all beats an infinite quantile.
 fn scaled(sigma: f64, x: f64) -> f64 {
-    if sigma == 0.0 { 0.0 * if x.is_nan() { x } else { 0.0 } } else { sigma * x }
+    if sigma == 0.0 && !x.is_nan() { 0.0 } else { sigma * x }
 }
 
 fn truncated(sigma: f64, half_width: f64, u: f64) -> f64 {
