@@ -5,6 +5,7 @@
 //! ([`Model::check`]) and runs its studies ([`Model::run`], [`Model::run_all`]). [`schema`] and
 //! [`starter`] are the format in other clothes.
 
+mod ask;
 mod build;
 mod check;
 #[cfg(test)]
@@ -20,6 +21,7 @@ mod measure;
 mod model;
 mod motion;
 mod names;
+mod options;
 mod progress;
 mod provenance;
 mod read;
@@ -35,6 +37,7 @@ pub use check::{BodyFact, Check, JointFact};
 pub use error::RunError;
 pub use load::{Loaded, load};
 pub use model::{Model, StudyInfo};
+pub use options::RunOptions;
 pub use progress::{Progress, Silent};
 pub use schema::schema;
 pub use starter::starter;

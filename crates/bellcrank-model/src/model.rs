@@ -7,8 +7,8 @@ use bellcrank_multibody::{Blueprint, Engine};
 use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult};
 
 use crate::build::{self, Built};
-use crate::design::{Design, Study, Values};
-use crate::{Check, Progress, RunError, check, drawing, provenance, run};
+use crate::design::{Design, Study, Task, Values};
+use crate::{Check, Progress, RunError, RunOptions, ask, check, drawing, provenance, run};
 
 /// A study as the file names it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -153,7 +153,14 @@ impl Model {
     /// # Errors
     /// When there is no such study, or this version does not run its kind.
     pub fn run(&self, study: &str, progress: &mut dyn Progress) -> Result<StudyResult, RunError> {
-        Ok(run::run(self.design(), self.runnable(study)?, progress))
+        Ok(self.execute(self.runnable(study)?, &RunOptions::default(), progress))
+    }
+
+    fn execute(&self, study: &Study, options: &RunOptions, progress: &mut dyn Progress) -> StudyResult {
+        match &study.task {
+            Task::Ask(ask) => ask::run(self.design(), &self.parts.studies, study, ask, options, progress),
+            _ => run::run(self.design(), study, progress),
+        }
     }
 
     /// Runs some studies, or all when none is named; studies of a kind that this version does not run are then
@@ -161,7 +168,12 @@ impl Model {
     ///
     /// # Errors
     /// When a named study does not exist or is not available; nothing is run then.
-    pub fn run_all(&self, studies: &[String], progress: &mut dyn Progress) -> Result<RunResult, RunError> {
+    pub fn run_all(
+        &self,
+        studies: &[String],
+        options: &RunOptions,
+        progress: &mut dyn Progress,
+    ) -> Result<RunResult, RunError> {
         let mut warnings = Vec::new();
         let chosen: Vec<&Study> = if studies.is_empty() {
             let (available, later): (Vec<&Study>, Vec<&Study>) =
@@ -181,7 +193,7 @@ impl Model {
                 break;
             }
             let mut share = Share { whole: progress, study: &study.name, index, count };
-            results.push(run::run(self.design(), study, &mut share));
+            results.push(self.execute(study, options, &mut share));
         }
         Ok(self.result(results, warnings))
     }
@@ -259,6 +271,10 @@ impl Progress for Share<'_> {
     fn at(&mut self, fraction: f64, message: &str) {
         let done = (self.index as f64 + fraction) / self.count as f64;
         self.whole.at(done, &format!("{}: {message}", self.study));
+    }
+
+    fn line(&mut self, text: &str) {
+        self.whole.line(text);
     }
 
     fn cancelled(&self) -> bool {

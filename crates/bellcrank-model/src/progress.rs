@@ -5,6 +5,9 @@ pub trait Progress {
     /// Called before each part of the work: the share done (0 to 1) and what is being done.
     fn at(&mut self, fraction: f64, message: &str);
 
+    /// A line for whoever watches, as the work goes on: the iterations of an optimization.
+    fn line(&mut self, _text: &str) {}
+
     /// Asked often; the run stops soon after the answer is `true` and keeps what it has.
     fn cancelled(&self) -> bool {
         false

@@ -8,7 +8,7 @@ mod build;
 mod machines;
 
 use bellcrank_math::Real;
-use bellcrank_multibody::{Actuation, Engine, Prescription, Readings, Seeded, engine_for};
+use bellcrank_multibody::{Actuation, Engine, Prescription, Seeded, engine_for};
 use build::coordinate;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 

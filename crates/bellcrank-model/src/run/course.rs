@@ -290,7 +290,11 @@ impl<T: Scalar> Laws<'_, T> {
             Laws::Time { duration, step, last, .. } => {
                 let before = last.saturating_sub(1) as f64;
                 let begins = before * step.value();
-                if place <= begins { place / step.value() } else { before + (place - begins) / (duration.value() - begins) }
+                if place <= begins {
+                    place / step.value()
+                } else {
+                    before + (place - begins) / (duration.value() - begins)
+                }
             }
         }
     }

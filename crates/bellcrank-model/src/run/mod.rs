@@ -21,10 +21,10 @@ use session::Session;
 
 pub(crate) use animation::arrows;
 pub(crate) use course::{Assembly, Course, Laws, Path, Targets};
+pub(crate) use explain::{Namer, failure, shown};
 pub(crate) use inputs::{Evaluated, Inputs};
-pub(crate) use explain::{Namer, failure};
 
-/// Runs a study that this version runs. What goes wrong is in the result.
+/// Runs a study that gives rows. What goes wrong is in the result.
 pub(crate) fn run(design: &Design, study: &Study, progress: &mut dyn Progress) -> StudyResult {
     let begun = Instant::now();
     let mut result = match Session::new(design, study) {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use bellcrank_doc::{Constraint, Expression, Reduction, ReductionKind, Response};
+use bellcrank_doc::{Constraint, Expression, Reduction, ReductionKind, Response, Span};
 
 use crate::signals::{Level, Signal};
 
@@ -12,6 +12,8 @@ pub(crate) struct Curve {
     pub(crate) kind: ReductionKind,
     pub(crate) expression: Expression,
     pub(crate) place: Option<Expression>,
+    /// As written.
+    pub(crate) text: String,
 }
 
 /// Arithmetic over some of the reductions.
@@ -31,22 +33,23 @@ pub(crate) struct Asked {
 impl Asked {
     /// Adds a response; its index is that of its value.
     pub(crate) fn response(&mut self, response: &Response) -> usize {
-        let reductions = self.curves(&response.reductions);
+        let reductions = self.curves(&response.reductions, response.written(), response.span());
         self.outer(&response.value, reductions)
     }
 
     /// Adds both sides of a constraint; the indices of their values.
     pub(crate) fn constraint(&mut self, constraint: &Constraint) -> [usize; 2] {
-        let reductions = self.curves(&constraint.reductions);
+        let reductions = self.curves(&constraint.reductions, constraint.written(), constraint.span());
         [&constraint.left, &constraint.right].map(|side| self.outer(side, reductions.clone()))
     }
 
-    fn curves(&mut self, reductions: &[Reduction]) -> Range<usize> {
+    fn curves(&mut self, reductions: &[Reduction], written: &str, all: Span) -> Range<usize> {
         let from = self.curves.len();
         self.curves.extend(reductions.iter().map(|reduction| Curve {
             kind: reduction.kind,
             expression: reduction.curve.clone(),
             place: reduction.place.clone(),
+            text: part(written, all, reduction.span).to_owned(),
         }));
         from..self.curves.len()
     }
@@ -83,4 +86,10 @@ impl Asked {
         let used = self.signals();
         used.iter().filter_map(|&i| signals.get(i)).map(|&signal| level(signal)).max().unwrap_or(Level::Position)
     }
+}
+
+/// The part of a text that a span within it is; all of it where the text was written with escapes.
+fn part(written: &str, all: Span, of: Span) -> &str {
+    let from = of.start.checked_sub(all.start);
+    from.and_then(|from| written.get(from..from + (of.end - of.start))).unwrap_or(written)
 }

@@ -58,10 +58,18 @@ pub(super) fn climb(middle: f64, value: f64, sign: f64, mut f: impl FnMut(f64) -
         let u = if step.abs() >= FINE { x + step } else { x + FINE.copysign(step) };
         let fu = -sign * f(u)?;
         if fu <= fx {
-            if u < x { b = x } else { a = x }
+            if u < x {
+                b = x
+            } else {
+                a = x
+            }
             (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
         } else {
-            if u < x { a = u } else { b = u }
+            if u < x {
+                a = u
+            } else {
+                b = u
+            }
             if fu <= fw || w == x {
                 (v, fv, w, fw) = (w, fw, u, fu);
             } else if fu <= fv || v == x || v == w {

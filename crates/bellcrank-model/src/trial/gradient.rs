@@ -115,7 +115,9 @@ impl<'d> Trial<'d> {
         if !build::rebuild(self.design, &tangents.values, &mut tangents.built, &mut faults) {
             return Err(refused(faults.first()));
         }
-        let (Some(course), Some(engine)) = (&self.course, self.engine.as_deref_mut()) else { return Err(refused(None)) };
+        let (Some(course), Some(engine)) = (&self.course, self.engine.as_deref_mut()) else {
+            return Err(refused(None));
+        };
         engine.seed(&tangents.built.blueprint).map_err(|_| refused(None))?;
         tangents.laws = course.laws(&tangents.values, &tangents.built.blueprint);
         Ok(())

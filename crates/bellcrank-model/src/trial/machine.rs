@@ -236,8 +236,12 @@ impl<'d> Trial<'d> {
             ReductionKind::First => single(first),
             ReductionKind::Last => single(samples.last().copied().unwrap_or(f64::NAN)),
             // Differences to the first keep the digits of large, nearly equal numbers.
-            ReductionKind::Mean => single(first + samples.iter().map(|x| x - first).sum::<f64>() / samples.len() as f64),
-            ReductionKind::Rms => single(bellcrank_results::Reductions::of(samples).map_or(f64::NAN, |found| found.rms)),
+            ReductionKind::Mean => {
+                single(first + samples.iter().map(|x| x - first).sum::<f64>() / samples.len() as f64)
+            }
+            ReductionKind::Rms => {
+                single(bellcrank_results::Reductions::of(samples).map_or(f64::NAN, |found| found.rms))
+            }
             ReductionKind::At => self.value_at(curve).and_then(single),
             ReductionKind::Max => {
                 let tops = self.climb(curve, 1.0)?;
@@ -306,6 +310,17 @@ impl<'d> Trial<'d> {
             self.numbers.push(value);
         }
         Ok(())
+    }
+
+    /// The reductions of a response that are extremes, as written, with the rows (not whole between rows) where they lie.
+    pub(crate) fn active_rows(&self, index: usize) -> Vec<(String, f64)> {
+        let mut rows = Vec::new();
+        for curve in self.asked.reductions(index) {
+            let (text, reduced) = (&self.asked.curves[curve].text, &self.reduced[curve]);
+            let firsts = [reduced.tops.first(), reduced.bottoms.first()];
+            rows.extend(firsts.into_iter().flatten().map(|peak| (text.clone(), peak.row)));
+        }
+        rows
     }
 
     /// `joint.B.position = 12 deg`.

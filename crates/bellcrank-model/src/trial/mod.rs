@@ -9,7 +9,7 @@ mod extremes;
 mod gradient;
 mod machine;
 
-pub(crate) use asked::{Asked, Curve};
+pub(crate) use asked::Asked;
 pub(crate) use gradient::{Derived, Piece};
 pub(crate) use machine::{Trial, Undefined};
 

@@ -136,7 +136,11 @@ fn derivatives_of_responses_on_every_shipped_machine() {
                     compared += 1;
                     let scale = d.abs().max(values[i].abs() / size).max(1e-5);
                     let name = &study.parameters.all()[p].name;
-                    assert!((exact - d).abs() <= 2e-6 * scale, "{what} {} by {name}: {exact} and {d} ± {error}", texts[i]);
+                    assert!(
+                        (exact - d).abs() <= 2e-6 * scale,
+                        "{what} {} by {name}: {exact} and {d} ± {error}",
+                        texts[i]
+                    );
                 }
             }
         }

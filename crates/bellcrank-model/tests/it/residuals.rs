@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bellcrank_model::Silent;
+use bellcrank_model::{RunOptions, Silent};
 
 use crate::support::{model_of, root};
 
@@ -22,7 +22,7 @@ fn every_shipped_machine_closes_and_balances() {
     let machines = machines();
     assert!(machines.len() >= 12, "{machines:?}");
     for path in machines {
-        let run = model_of(&path).run_all(&[], &mut Silent).expect("runs");
+        let run = model_of(&path).run_all(&[], &RunOptions::default(), &mut Silent).expect("runs");
         assert!(!run.studies.is_empty(), "{}", path.display());
         for study in &run.studies {
             let what = format!("{}, study {}", path.display(), study.name);

@@ -1,6 +1,6 @@
 //! Studies: what they do when all is well, and what they say when not.
 
-use bellcrank_model::{Progress, RunError, Silent};
+use bellcrank_model::{Progress, RunError, RunOptions, Silent};
 
 use crate::support::{Scratch, model, model_of, run, value};
 
@@ -161,7 +161,7 @@ fn dead_positions_leave_gaps_and_warnings() {
 #[test]
 fn later_kinds_are_left_out_of_a_whole_run_and_refused_by_name() {
     let model = model_of(&crate::support::lift());
-    let whole = model.run_all(&[], &mut Silent).expect("a run");
+    let whole = model.run_all(&[], &RunOptions::default(), &mut Silent).expect("a run");
     assert_eq!(whole.studies.len(), 2);
     assert_eq!(whole.warnings.iter().filter(|w| w.contains("left out")).count(), 2);
     assert!(matches!(model.run("shorter", &mut Silent), Err(RunError::NotAvailable { .. })));

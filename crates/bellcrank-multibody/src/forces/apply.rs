@@ -177,7 +177,7 @@ fn point<S: Space>(
         f = S::rotate(&X.rotation, f);
     }
     x[at.node].apply(X.origin, f, S::Angular::default());
-    Output { length: nan::<S>(), rate: nan::<S>(), effort: f.dot(f).sqrt(), force: f, ..Output::default() }
+    Output { length: nan::<S>(), rate: nan::<S>(), effort: magnitude(f.dot(f)), force: f, ..Output::default() }
 }
 
 fn torque<S: Space>(
@@ -194,8 +194,13 @@ fn torque<S: Space>(
     }
     x[on.node].apply(X.origin, S::Vector::default(), n);
     // A plane's moment has a sign worth showing; space has a magnitude.
-    let effort = if S::ANG == 1 { n[0] } else { n.dot(n).sqrt() };
+    let effort = if S::ANG == 1 { n[0] } else { magnitude(n.dot(n)) };
     Output { length: nan::<S>(), rate: nan::<S>(), effort, moment: n, ..Output::default() }
+}
+
+/// Root of a sum of squares; that of nothing grows in no direction more than in another: its derivative counts as 0.
+fn magnitude<T: Real>(square: T) -> T {
+    if square.value() > 0.0 { square.sqrt() } else { T::zero() }
 }
 
 fn nan<S: Space>() -> S::T {
@@ -265,9 +270,9 @@ fn bushing<S: Space>(ends: &[End<S>; 2], k: &[S::T; 6], c: &[S::T; 6], x: &mut [
     apply_pair(x, [ends[0].node, ends[1].node], X[1].origin, force, moment);
     let half = S::T::from_f64(0.5);
     let energy = (0..3).fold(S::T::zero(), |e, i| e + (k[i] * d_1[i] * d_1[i] + k[i + 3] * t_1[i] * t_1[i]) * half);
-    let length = d.dot(d).sqrt();
+    let length = magnitude(d.dot(d));
     let rate = if length.value() > 0.0 { d.dot(slip) / length } else { S::T::zero() };
-    Output { length, rate, effort: force.dot(force).sqrt(), force, moment, energy }
+    Output { length, rate, effort: magnitude(force.dot(force)), force, moment, energy }
 }
 
 /// Rotation vector of a rotation matrix (rows), rad, below a half turn.

@@ -28,6 +28,8 @@ const SETTLED: f64 = 1e-12;
 const MOST_ITERATIONS: usize = 400;
 /// Derivatives of redundant closures that remain after the solution, relative to those before it.
 const CONSISTENT: f64 = 1e-7;
+/// Derivatives of closures (m or rad a unit of the parameter) that are rounding.
+const ROUNDING: f64 = 1e-10;
 
 /// A machine's numbers with derivatives at one position.
 #[derive(Debug)]
@@ -199,7 +201,7 @@ impl<D: Space<T = Seeded>> Tangent<D> {
     fn forget_inconsistent(&mut self, before: &[f64; SEEDS], rows: usize) {
         let after = self.largest_derivatives(rows);
         for lane in 0..SEEDS {
-            if after[lane] > CONSISTENT * before[lane] && before[lane] > 0.0 {
+            if after[lane] > (CONSISTENT * before[lane]).max(ROUNDING) {
                 self.q.iter_mut().for_each(|q| q.eps[lane] = f64::NAN);
             }
         }

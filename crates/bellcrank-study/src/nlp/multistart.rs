@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 
 use super::problem::{Malformed, Problem};
-use super::solution::{Options, Solution, Status};
+use super::solution::{Options, Progress, Solution, Status};
 use super::solver::solve_watched;
 use crate::sampling::unit;
 
@@ -36,6 +36,8 @@ pub struct Optimum {
     pub solution: Solution,
     /// The starts that led here, from 0, ascending.
     pub starts: Vec<usize>,
+    /// Where the first of them began.
+    pub from: Vec<f64>,
 }
 
 /// Solves from every start, one after the other, until `stop` says so. Distinct answers, best first: feasible before
@@ -52,15 +54,42 @@ pub fn multistart<P: Problem + ?Sized>(
     options: &Options,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<Optimum>, Malformed> {
+    let watch = &mut |_: usize, _: &Progress| stopping(stop);
+    multistart_watched(problem, start, plan, options, watch)
+}
+
+/// [`multistart`] that tells the number of the start and where its search stands, once an iteration; who is told may
+/// break off.
+///
+/// # Errors
+///
+/// [`Malformed`] if bounds and start do not fit the problem.
+pub fn multistart_watched<P: Problem + ?Sized>(
+    problem: &mut P,
+    start: &[f64],
+    plan: &Multistart,
+    options: &Options,
+    watch: &mut dyn FnMut(usize, &Progress) -> ControlFlow<()>,
+) -> Result<Vec<Optimum>, Malformed> {
     let ranges = ranges(problem, start, plan.spread)?;
     let mut found = Vec::new();
+    let mut stopped = false;
     for index in 0..plan.starts.max(1) {
-        if index > 0 && stop() {
+        if stopped {
             break;
         }
-        found.push((index, solve_one(problem, start, &ranges, plan, options, index, stop)?));
+        let watch = &mut |at: &Progress| {
+            let flow = watch(index, at);
+            stopped |= flow.is_break();
+            flow
+        };
+        found.push((index, solve_one(problem, start, &ranges, plan, options, index, watch)?));
     }
     Ok(distinct(found, &ranges, plan, options))
+}
+
+fn stopping(stop: &(dyn Fn() -> bool + Sync)) -> ControlFlow<()> {
+    if stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
 /// [`multistart`] on several threads, each start on a clone of the problem of its own: the answers are the same for any
@@ -84,7 +113,8 @@ pub fn multistart_parallel<P: Problem + Clone + Send>(
     let work = || {
         while let Some((index, mut own)) = take(&jobs) {
             if index == 0 || !stop() {
-                let solution = solve_one(&mut own, start, &ranges, plan, options, index, stop);
+                let watch = &mut |_: &Progress| stopping(stop);
+                let solution = solve_one(&mut own, start, &ranges, plan, options, index, watch);
                 found.lock().unwrap_or_else(std::sync::PoisonError::into_inner).push((index, solution));
             }
         }
@@ -119,6 +149,8 @@ fn ranges<P: Problem + ?Sized>(problem: &P, start: &[f64], spread: f64) -> Resul
     Ok(start.iter().zip(bounds).map(range).collect())
 }
 
+type Started = (Vec<f64>, Solution);
+
 fn solve_one<P: Problem + ?Sized>(
     problem: &mut P,
     start: &[f64],
@@ -126,19 +158,20 @@ fn solve_one<P: Problem + ?Sized>(
     plan: &Multistart,
     options: &Options,
     index: usize,
-    stop: &(dyn Fn() -> bool + Sync),
-) -> Result<Solution, Malformed> {
-    let watch = &mut |_: &_| if stop() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let mut solution = solve_watched(problem, &place(start, ranges, plan, index, 0), options, watch)?;
+    watch: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
+) -> Result<Started, Malformed> {
+    let mut from = place(start, ranges, plan, index, 0);
+    let mut solution = solve_watched(problem, &from, options, watch)?;
     for attempt in 1..=8 {
-        if index == 0 || solution.status != Status::UndefinedStart || stop() {
+        if index == 0 || solution.status != Status::UndefinedStart {
             break;
         }
         let evaluations = solution.evaluations;
-        solution = solve_watched(problem, &place(start, ranges, plan, index, attempt), options, watch)?;
+        from = place(start, ranges, plan, index, attempt);
+        solution = solve_watched(problem, &from, options, watch)?;
         solution.evaluations += evaluations;
     }
-    Ok(solution)
+    Ok((from, solution))
 }
 
 /// Start `index`: a Latin hypercube of all starts; replacements are random.
@@ -158,27 +191,27 @@ fn stratum(plan: &Multistart, row: usize, dimension: usize) -> f64 {
 
 /// Groups equal answers and sorts the groups.
 fn distinct(
-    mut found: Vec<(usize, Solution)>,
+    mut found: Vec<(usize, Started)>,
     ranges: &[(f64, f64)],
     plan: &Multistart,
     options: &Options,
 ) -> Vec<Optimum> {
-    if found.iter().any(|(_, s)| s.status != Status::UndefinedStart) {
-        found.retain(|(_, s)| s.status != Status::UndefinedStart);
+    if found.iter().any(|(_, (_, s))| s.status != Status::UndefinedStart) {
+        found.retain(|(_, (_, s))| s.status != Status::UndefinedStart);
     }
     let rank = |s: &Solution| {
         let feasible = s.is_feasible(&options.tolerances);
         (!feasible, if feasible { s.objective } else { s.violation })
     };
-    found.sort_by(|(i, a), (j, b)| {
+    found.sort_by(|(i, (_, a)), (j, (_, b))| {
         let (a, b) = (rank(a), rank(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(i.cmp(j))
     });
     let mut optima: Vec<Optimum> = Vec::new();
-    for (index, solution) in found {
+    for (index, (from, solution)) in found {
         match optima.iter_mut().find(|o| is_same(&o.solution, &solution, ranges, plan)) {
             Some(optimum) => optimum.starts.push(index),
-            None => optima.push(Optimum { solution, starts: vec![index] }),
+            None => optima.push(Optimum { solution, starts: vec![index], from }),
         }
     }
     optima.iter_mut().for_each(|o| o.starts.sort_unstable());

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bellcrank_doc::nearest;
-use bellcrank_model::{Model, RunError, StudyInfo};
+use bellcrank_model::{Model, RunError, RunOptions, StudyInfo};
 use bellcrank_report::terminal_summary;
 use bellcrank_results::{RunResult, run_summary};
 
@@ -66,7 +66,7 @@ fn refusal(error: RunError) -> Refusal {
 
 fn compute(model: &Model, config: &RunConfig, interrupt: Interrupt) -> Result<RunResult, Refusal> {
     let mut watch = Watch::new(interrupt, config.printed);
-    let result = model.run_all(&config.studies, &mut watch);
+    let result = model.run_all(&config.studies, &RunOptions::default(), &mut watch);
     watch.finish();
     result.map_err(refusal)
 }

@@ -56,15 +56,23 @@ fn levels(one: &Told<'_>, what: &str, of: Referred<'_>) -> Option<(Levels, Optio
         ValueKind::List(values) => Some((Levels::List(list(value, values, what, dimension, of)?), None)),
         ValueKind::Table(_) => table(value, what, dimension, of),
         _ => {
-            let message = format!("{what} needs a range, a list of values or a number of levels, found {}", value.describe());
-            let hint = format!("`{{ from = ..., to = ..., points = {LEVELS} }}`, `[\"900 mm\", \"950 mm\"]`, or `{LEVELS}`");
+            let message =
+                format!("{what} needs a range, a list of values or a number of levels, found {}", value.describe());
+            let hint =
+                format!("`{{ from = ..., to = ..., points = {LEVELS} }}`, `[\"900 mm\", \"950 mm\"]`, or `{LEVELS}`");
             reader.report(Diagnostic::error("wrong-type", value.span, message).hint(hint));
             None
         }
     }
 }
 
-fn list(value: &Value, values: &[Value], what: &str, dimension: Dimension, of: Referred<'_>) -> Option<Vec<Expression>> {
+fn list(
+    value: &Value,
+    values: &[Value],
+    what: &str,
+    dimension: Dimension,
+    of: Referred<'_>,
+) -> Option<Vec<Expression>> {
     if values.is_empty() {
         of.part.reader.report(Diagnostic::error("wrong-length", value.span, format!("{what} lists no value")));
         return None;

@@ -16,11 +16,7 @@ pub(crate) enum Given<T> {
 
 impl<T> Given<T> {
     /// The key as `read` finds it.
-    pub(super) fn key<'a>(
-        keyed: &Keyed<'a>,
-        key: &'static str,
-        read: impl FnOnce(&'a Value) -> Option<T>,
-    ) -> Given<T> {
+    pub(super) fn key<'a>(keyed: &Keyed<'a>, key: &'static str, read: impl FnOnce(&'a Value) -> Option<T>) -> Given<T> {
         match keyed.value(key) {
             None => Given::No,
             Some(value) => read(value).map_or(Given::Wrong, Given::Is),

@@ -1,0 +1,14 @@
+//! How studies are run, beside what the file says.
+
+use std::path::PathBuf;
+
+/// How studies are run. Results are the same for any number of threads.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RunOptions {
+    /// Threads of studies over many designs; 0 is one a core.
+    pub threads: usize,
+    /// Where studies over many designs write their rows while they run (a folder a study); `None` keeps all in memory.
+    pub folder: Option<PathBuf>,
+    /// Begin anew even where an interrupted study could go on.
+    pub fresh: bool,
+}
