@@ -13,7 +13,8 @@ use crate::measure::DisplayUnits;
 use crate::signals::Catalogue;
 
 pub(crate) use ask::{
-    Ask, Designs, Levels, Method, NamedResponse, Optimize, Question, Scattered, Sensitivity, Term, Tolerance, Variable, Varied,
+    Ask, Designs, Levels, Method, NamedResponse, Optimize, Question, Scattered, Sensitivity, Term, Tolerance, Variable,
+    Varied,
 };
 pub(crate) use force::{Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};

@@ -4,8 +4,8 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use bellcrank_doc::{
-    Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Override, ParameterSet, Reader, SourceId, Sources,
-    Span, Spanned, Table, ValueKind, nearest, parse,
+    Diagnostic, Diagnostics, Dimension, Entry, Expression, NoSignals, Override, ParameterSet, Reader, SourceId,
+    Sources, Span, Spanned, Table, ValueKind, nearest, parse,
 };
 
 use crate::design::{Scope, ScopeId};

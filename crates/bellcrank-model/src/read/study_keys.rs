@@ -3,7 +3,9 @@
 use std::cell::RefCell;
 use std::path::Path;
 
-use bellcrank_doc::{Constraint, Diagnostic, Dimension, Override, ParameterSet, Response, Span, Spanned, Value, nearest};
+use bellcrank_doc::{
+    Constraint, Diagnostic, Dimension, Override, ParameterSet, Response, Span, Spanned, Value, nearest,
+};
 use bellcrank_multibody::Coordinate;
 
 use super::asks::{AskKeys, DesignTable};
@@ -120,8 +122,7 @@ impl StudyKeys {
 
 /// Overrides of one study, and those beneath that it does not replace.
 pub(crate) fn overlaid(beneath: Vec<Override>, own: Vec<Override>) -> Vec<Override> {
-    let mut set: Vec<Override> =
-        beneath.into_iter().filter(|old| own.iter().all(|new| new.name != old.name)).collect();
+    let mut set: Vec<Override> = beneath.into_iter().filter(|old| own.iter().all(|new| new.name != old.name)).collect();
     set.extend(own);
     set
 }

@@ -147,5 +147,8 @@ pub(crate) static SCATTER: Schema = plain(
 pub(crate) static LIMITS: Schema = plain(
     "limits",
     "Allowed range of the response; one side may be missing.",
-    &[Key::optional("min", Free, "smallest value that is good"), Key::optional("max", Free, "largest value that is good")],
+    &[
+        Key::optional("min", Free, "smallest value that is good"),
+        Key::optional("max", Free, "largest value that is good"),
+    ],
 );

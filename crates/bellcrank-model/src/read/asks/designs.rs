@@ -3,7 +3,6 @@
 use bellcrank_doc::{Diagnostic, Dimension, Expression, Span, Value, ValueKind};
 
 use super::given::{Given, Told, told};
-use super::keys::all;
 use crate::design::{Levels, Varied};
 use crate::keyed::Keyed;
 use crate::read::study_keys::Referred;
@@ -33,12 +32,16 @@ impl ReadLevels {
 pub(super) fn read_vary(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<ReadLevels>> {
     let what = keyed.named("vary");
     let told = told(of.part, value, &what)?;
-    all(told.into_iter().map(|one| {
-        let what = format!("`{}` in {what}", one.name);
-        let (levels, points) = levels(&one, &what, of)?;
-        let varied = Varied { parameter: one.parameter, span: one.span, levels };
-        Some(ReadLevels { name: one.name.to_owned(), varied, points })
-    }))
+    Some(
+        told.into_iter()
+            .filter_map(|one| {
+                let what = format!("`{}` in {what}", one.name);
+                let (levels, points) = levels(&one, &what, of)?;
+                let varied = Varied { parameter: one.parameter, span: one.span, levels };
+                Some(ReadLevels { name: one.name.to_owned(), varied, points })
+            })
+            .collect(),
+    )
 }
 
 /// The values of a parameter: a table, a list, a number of levels, or its own bounds.
@@ -56,15 +59,23 @@ fn levels(one: &Told<'_>, what: &str, of: Referred<'_>) -> Option<(Levels, Optio
         ValueKind::List(values) => Some((Levels::List(list(value, values, what, dimension, of)?), None)),
         ValueKind::Table(_) => table(value, what, dimension, of),
         _ => {
-            let message = format!("{what} needs a range, a list of values or a number of levels, found {}", value.describe());
-            let hint = format!("`{{ from = ..., to = ..., points = {LEVELS} }}`, `[\"900 mm\", \"950 mm\"]`, or `{LEVELS}`");
+            let message =
+                format!("{what} needs a range, a list of values or a number of levels, found {}", value.describe());
+            let hint =
+                format!("`{{ from = ..., to = ..., points = {LEVELS} }}`, `[\"900 mm\", \"950 mm\"]`, or `{LEVELS}`");
             reader.report(Diagnostic::error("wrong-type", value.span, message).hint(hint));
             None
         }
     }
 }
 
-fn list(value: &Value, values: &[Value], what: &str, dimension: Dimension, of: Referred<'_>) -> Option<Vec<Expression>> {
+fn list(
+    value: &Value,
+    values: &[Value],
+    what: &str,
+    dimension: Dimension,
+    of: Referred<'_>,
+) -> Option<Vec<Expression>> {
     if values.is_empty() {
         of.part.reader.report(Diagnostic::error("wrong-length", value.span, format!("{what} lists no value")));
         return None;

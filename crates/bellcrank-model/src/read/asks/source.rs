@@ -53,10 +53,13 @@ impl Asked<'_> {
         match signal.source {
             Source::Time if !self.has_time() => {
                 let message = format!("`time` is not in study `{study}`, which goes over {}", self.goes_over());
-                Some(error(message).hint(format!("time runs where a study has `duration`; here use {}", self.instead())))
+                Some(
+                    error(message).hint(format!("time runs where a study has `duration`; here use {}", self.instead())),
+                )
             }
             Source::Drive(c) if !self.drives().contains(&c) => {
-                let message = format!("`{signal_name}` is not in study `{study}`: nothing drives that coordinate there");
+                let message =
+                    format!("`{signal_name}` is not in study `{study}`: nothing drives that coordinate there");
                 Some(error(message).hint(self.what_drives()))
             }
             _ => None,
@@ -98,9 +101,10 @@ impl Asked<'_> {
             indices.into_iter().filter_map(|i| motions.get(i)).flat_map(|m| m.coordinates.iter().copied()).collect()
         };
         let mut drives = match &keys.sweep {
-            _ if self.has_time() => keys.drives.clone().unwrap_or_else(|| {
-                of_motions(keys.motions.clone().unwrap_or_else(|| (0..motions.len()).collect()))
-            }),
+            _ if self.has_time() => keys
+                .drives
+                .clone()
+                .unwrap_or_else(|| of_motions(keys.motions.clone().unwrap_or_else(|| (0..motions.len()).collect()))),
             Some((sweep, _)) if self.kind != "statics" => {
                 vec![keys.drive.as_ref().and_then(|drive| drive.coordinate).unwrap_or(sweep.coordinate)]
             }

@@ -177,7 +177,11 @@ fn column(cell: Cell<'_>, parameters: &ParameterSet, diagnostics: &mut Diagnosti
 fn row(line: &Line<'_>, columns: &[Column], diagnostics: &mut Diagnostics) -> Option<Vec<f64>> {
     if line.cells.len() != columns.len() {
         let plural = if columns.len() == 1 { "" } else { "s" };
-        let message = format!("expected {} number{plural}, as many as the header has columns; found {}", columns.len(), line.cells.len());
+        let message = format!(
+            "expected {} number{plural}, as many as the header has columns; found {}",
+            columns.len(),
+            line.cells.len()
+        );
         diagnostics.push(Diagnostic::error("bad-table", line.span, message));
         return None;
     }
