@@ -300,7 +300,7 @@ fn what_to_write(schema: &'static Schema, kind: Option<&str>, space: usize, key:
         (_, "gravity", 2) => "write `gravity = [0, \"-9.81 m/s^2\"]`, or `[0, 0]` for none".to_owned(),
         (_, "gravity", _) => "write `gravity = [0, 0, \"-9.81 m/s^2\"]`, or `[0, 0, 0]` for none".to_owned(),
         (_, "connects", _) => "two points: `connects = [\"ground.O\", \"crank.O\"]`".to_owned(),
-        _ => format!("`{key}`: {}", found.doc),
+        _ => format!("`{key}`: {}", found.doc.trim_end_matches(" (required)")),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Result columns with names and units, and their CSV and JSON writers.
+//! Result columns with names and units, findings, and their CSV, JSON and Parquet writers.
 //!
 //! Everything in here is plain data in SI units; a [`Unit`] says how a number is shown.
 //! No mechanics: what is stored was computed elsewhere.

@@ -13,8 +13,8 @@ use values::{maybe, named, quantity, shown, whole};
 
 /// The summary of one study, as `summary.json` holds it: numbers in display units, each unit named.
 ///
-/// A study over another study adds the keys of its findings; `axis`, `signals`, `scalars` and
-/// `reactions` are there where it has rows of its own.
+/// A study over another study adds the keys of its findings; `axis`, `signals` and
+/// `reactions` are there where it has rows of its own, `scalars` where it has any.
 pub fn study_summary(study: &StudyResult) -> Value {
     let mut object = common(study);
     if let Some(findings) = &study.findings {
@@ -22,6 +22,8 @@ pub fn study_summary(study: &StudyResult) -> Value {
     }
     if study.findings.is_none() || study.table.rows() > 0 {
         object.extend(series(study));
+    } else if !study.scalars.is_empty() {
+        object.insert("scalars".to_owned(), scalars(&study.scalars));
     }
     if let Some(failure) = &study.failure {
         object.insert("failure".to_owned(), failed(failure));

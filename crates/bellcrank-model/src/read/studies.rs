@@ -172,7 +172,7 @@ impl Finishing<'_> {
     fn asking(&self, index: usize, finished: &[Option<Study>]) -> Option<Study> {
         let (kind, keys) = self.read(index).filter(|(kind, _)| ASKING.contains(kind))?;
         let entry = self.entries[index];
-        let asked_index = self.asked(keys)?;
+        let asked_index = self.asked(entry, keys)?;
         let (asked_kind, asked_keys) = self.read(asked_index)?;
         // What is wrong with that study has been told.
         finished[asked_index].as_ref()?;
@@ -187,7 +187,7 @@ impl Finishing<'_> {
     }
 
     /// The study that another one asks: one with rows.
-    fn asked(&self, keys: &StudyKeys) -> Option<usize> {
+    fn asked(&self, entry: &Entry, keys: &StudyKeys) -> Option<usize> {
         let name = keys.ask.of()?;
         let reader = self.of.part.reader;
         let Some(index) = self.entries.iter().position(|entry| entry.key == name.value) else {
@@ -198,11 +198,16 @@ impl Finishing<'_> {
         if WITH_ROWS.contains(&kind) {
             return Some(index);
         }
-        let message = format!("study `{}` is of kind `{kind}` and has no rows to ask", name.value);
+        let itself = entry.key == name.value;
+        let message = match itself {
+            true => format!("study `{}` asks itself", name.value),
+            false => format!("study `{}` is of kind `{kind}` and has no rows to ask", name.value),
+        };
         let report = Diagnostic::error("no-rows", name.span, message).also(self.entries[index].key_span, "this study");
-        reader.report(report.hint(match self.read(index).and_then(|(_, keys)| keys.ask.of()) {
+        let further = self.read(index).and_then(|(_, keys)| keys.ask.of()).filter(|_| !itself);
+        reader.report(report.hint(match further {
             Some(further) => format!("ask the study that it asks: `of = \"{}\"`", further.value),
-            None => format!("ask one of kind {}", WITH_ROWS.join(", ")),
+            None => format!("ask a study of kind {}", WITH_ROWS.join(", ")),
         }));
         None
     }

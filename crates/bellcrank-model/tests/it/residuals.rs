@@ -22,7 +22,12 @@ fn every_shipped_machine_closes_and_balances() {
     let machines = machines();
     assert!(machines.len() >= 12, "{machines:?}");
     for path in machines {
-        let run = model_of(&path).run_all(&[], &RunOptions::default(), &mut Silent).expect("runs");
+        let model = model_of(&path);
+        // Studies that ask others have no rows.
+        let asking = ["sensitivity", "optimize", "sweep", "tolerance"];
+        let with_rows = model.studies().into_iter().filter(|study| study.available);
+        let with_rows = with_rows.filter(|study| !asking.contains(&study.kind.as_str())).map(|study| study.name);
+        let run = model.run_all(&with_rows.collect::<Vec<_>>(), &RunOptions::default(), &mut Silent).expect("runs");
         assert!(!run.studies.is_empty(), "{}", path.display());
         for study in &run.studies {
             let what = format!("{}, study {}", path.display(), study.name);

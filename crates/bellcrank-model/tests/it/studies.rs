@@ -160,12 +160,21 @@ fn dead_positions_leave_gaps_and_warnings() {
 
 #[test]
 fn later_kinds_are_left_out_of_a_whole_run_and_refused_by_name() {
-    let model = model_of(&crate::support::lift());
+    let later = "[studies.fall]\nkind = \"dynamics\"\n\
+                 [studies.a]\nkind = \"kinematics\"\nhold = [\"wrist\"]\n\
+                 sweep = { joint = \"hinge\", from = 0, to = \"10 deg\", points = 3 }\n\
+                 [parameters]\nl = \"1 m\"\n\
+                 [studies.how]\nkind = \"sensitivity\"\nof = \"fall\"\nresponse = \"max(point.arm.P.y)\"\n";
+    let model = pendulum("later", later);
     let whole = model.run_all(&[], &RunOptions::default(), &mut Silent).expect("a run");
-    assert_eq!(whole.studies.len(), 2);
-    assert_eq!(whole.warnings.iter().filter(|w| w.contains("left out")).count(), 2);
-    assert!(matches!(model.run("shorter", &mut Silent), Err(RunError::NotAvailable { .. })));
-    assert!(matches!(model.run("lfit", &mut Silent), Err(RunError::UnknownStudy { nearest: Some(_), .. })));
+    assert_eq!(whole.studies.len(), 1);
+    assert_eq!(whole.warnings.iter().filter(|w| w.contains("left out") && w.contains("`dynamics`")).count(), 2);
+    let refused = |name: &str| model.run(name, &mut Silent).expect_err("no run");
+    assert!(matches!(refused("fall"), RunError::NotAvailable { .. }));
+    // A study that asks one that is not run is not run either.
+    assert!(matches!(refused("how"), RunError::NotAvailable { kind, .. } if kind == "dynamics"));
+    assert!(matches!(refused("how").hints().as_slice(), [hint] if hint.contains("optimize")));
+    assert!(matches!(refused("fal"), RunError::UnknownStudy { nearest: Some(_), .. }));
 }
 
 struct StopAt(f64, bool);

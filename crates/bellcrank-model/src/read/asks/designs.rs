@@ -3,7 +3,6 @@
 use bellcrank_doc::{Diagnostic, Dimension, Expression, Span, Value, ValueKind};
 
 use super::given::{Given, Told, told};
-use super::keys::all;
 use crate::design::{Levels, Varied};
 use crate::keyed::Keyed;
 use crate::read::study_keys::Referred;
@@ -33,12 +32,16 @@ impl ReadLevels {
 pub(super) fn read_vary(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<ReadLevels>> {
     let what = keyed.named("vary");
     let told = told(of.part, value, &what)?;
-    all(told.into_iter().map(|one| {
-        let what = format!("`{}` in {what}", one.name);
-        let (levels, points) = levels(&one, &what, of)?;
-        let varied = Varied { parameter: one.parameter, span: one.span, levels };
-        Some(ReadLevels { name: one.name.to_owned(), varied, points })
-    }))
+    Some(
+        told.into_iter()
+            .filter_map(|one| {
+                let what = format!("`{}` in {what}", one.name);
+                let (levels, points) = levels(&one, &what, of)?;
+                let varied = Varied { parameter: one.parameter, span: one.span, levels };
+                Some(ReadLevels { name: one.name.to_owned(), varied, points })
+            })
+            .collect(),
+    )
 }
 
 /// The values of a parameter: a table, a list, a number of levels, or its own bounds.

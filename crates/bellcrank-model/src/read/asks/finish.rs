@@ -40,7 +40,7 @@ fn sensitivity(asking: &Asking<'_>, keys: AskKeys) -> Option<Sensitivity> {
     let parameters = keys.parameters.or_else(|| asking.plain_parameters());
     let points = keys.points.optional().map(|points| points.map_or(Some(POINTS), |p| usize::try_from(p.value).ok()));
     let parameters = parameters?;
-    if parameters.is_empty() {
+    if parameters.is_empty() && !asking.has_faulty_parameters() {
         let message = format!("study `{}` has no parameters to vary", asking.entry.key);
         let hint = "give the file some in `[parameters]`, as `l1 = \"300 mm\"`";
         asking.error("no-parameters", asking.entry.key_span, message, hint);
@@ -71,6 +71,12 @@ impl Asking<'_> {
     pub(super) fn plain_parameters(&self) -> Vec<usize> {
         let all = self.parameters.all().iter().enumerate();
         all.filter(|(_, parameter)| parameter.expression.parameters().is_empty()).map(|(index, _)| index).collect()
+    }
+
+    /// Whether some could not be read: what would be said of all is then not certain.
+    pub(super) fn has_faulty_parameters(&self) -> bool {
+        let table = self.part.part.table.get("parameters").and_then(|entry| entry.value.as_table());
+        table.is_some_and(|table| table.len() > self.parameters.all().len())
     }
 
     pub(super) fn parameter(&self, index: usize) -> Option<&Parameter> {

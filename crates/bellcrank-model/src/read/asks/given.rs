@@ -88,20 +88,35 @@ pub(super) struct Told<'v> {
     pub(super) value: Option<&'v Value>,
 }
 
-/// A list of names of parameters, or a table by name; no name twice, one at least.
+/// A list of names of parameters, or a table by name; no name twice, one at least. Wrong ones are reported and left
+/// out, so that the others are checked all the same: the model is refused anyway.
 pub(super) fn told<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<Vec<Told<'v>>> {
-    let told = match value.as_table() {
-        Some(table) => table.iter().map(|entry| said(part, entry)).collect(),
-        None => listed(part, value, what)?,
+    match value.as_table() {
+        Some(table) => some(part, value, what, table.iter().map(|entry| said(part, entry)).collect()),
+        None => names(part, value, what),
+    }
+}
+
+/// A list of names of parameters.
+pub(super) fn names<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<Vec<Told<'v>>> {
+    let list = part.reader.list(value, what)?;
+    let one = |value: &'v Value| {
+        let name = part.reader.string(value, what)?;
+        let parameter = parameter(part, name.value, name.span)?;
+        Some(Told { name: name.value, parameter, span: name.span, value: None })
     };
+    some(part, value, what, list.iter().map(one).collect())
+}
+
+fn some<'v>(part: PartReader<'_>, value: &Value, what: &str, told: Vec<Option<Told<'v>>>) -> Option<Vec<Told<'v>>> {
     if told.is_empty() {
         let message = format!("{what} names no parameter");
         let report = Diagnostic::error("wrong-length", value.span, message);
         part.reader.report(report.hint(parameters_of_the_file(part.reader.parameters())));
         return None;
     }
-    let told: Vec<Told<'v>> = told.into_iter().collect::<Option<_>>()?;
-    no_repeats(part, &told)?;
+    let told: Vec<Told<'v>> = told.into_iter().flatten().collect();
+    report_repeats(part, &told);
     Some(told)
 }
 
@@ -110,24 +125,13 @@ fn said<'v>(part: PartReader<'_>, entry: &'v Entry) -> Option<Told<'v>> {
     Some(Told { name: &entry.key, parameter, span: entry.key_span, value: Some(&entry.value) })
 }
 
-fn listed<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<Vec<Option<Told<'v>>>> {
-    let names = part.reader.strings(value, what)?;
-    let one = |name: Spanned<&'v str>| {
-        let parameter = parameter(part, name.value, name.span)?;
-        Some(Told { name: name.value, parameter, span: name.span, value: None })
-    };
-    Some(names.into_iter().map(one).collect())
-}
-
-fn no_repeats(part: PartReader<'_>, told: &[Told<'_>]) -> Option<()> {
-    let errors = part.reader.errors();
+fn report_repeats(part: PartReader<'_>, told: &[Told<'_>]) {
     for (i, one) in told.iter().enumerate() {
         if let Some(first) = told[..i].iter().find(|before| before.parameter == one.parameter) {
             let message = format!("`{}` is named twice", one.name);
             part.reader.report(Diagnostic::error("duplicate-name", one.span, message).also(first.span, "first here"));
         }
     }
-    (part.reader.errors() == errors).then_some(())
 }
 
 /// The parameter of a name; one whose definition is wrong has been reported there.

@@ -3,7 +3,7 @@
 use bellcrank_doc::{Constraint, Diagnostic, Distribution, Expression, Response, Spanned, Value};
 
 use super::designs::{ReadLevels, read_vary};
-use super::given::{Given, told, whole};
+use super::given::{Given, names as parameter_names, told, whole};
 use super::objective::{Objective, read_objective};
 use super::table::{DesignTable, read_designs};
 use super::tolerance::{read_limits, read_tolerances};
@@ -59,7 +59,7 @@ impl AskKeys {
             Some("sensitivity") => AskKeys {
                 response: read_response(keyed, of, beneath),
                 parameters: Given::key(keyed, "parameters", |value| {
-                    let told = told(of.part, value, &keyed.named("parameters"))?;
+                    let told = parameter_names(of.part, value, &keyed.named("parameters"))?;
                     Some(told.iter().map(|one| one.parameter).collect())
                 }),
                 points: whole(keyed, "points"),
@@ -202,7 +202,7 @@ fn read_variables(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<
         (variable.min, variable.max) = (min?, max?);
         Some(variable)
     };
-    all(told.into_iter().map(one))
+    Some(told.into_iter().filter_map(one).collect())
 }
 
 fn read_constraints(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<Constraint>> {
@@ -211,7 +211,7 @@ fn read_constraints(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Optio
         Some(_) => std::slice::from_ref(value),
         None => of.part.reader.list(value, &what)?,
     };
-    all(list.iter().map(|one| of.constraint(one, &what)))
+    Some(list.iter().filter_map(|one| of.constraint(one, &what)).collect())
 }
 
 /// A list of responses, each named by its text, or a table of named ones.

@@ -13,6 +13,8 @@ mod optimize;
 mod source;
 mod sweep;
 mod table;
+#[cfg(test)]
+mod tests;
 mod tolerance;
 mod tolerance_of;
 

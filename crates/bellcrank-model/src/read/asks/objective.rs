@@ -4,7 +4,6 @@ use bellcrank_doc::{Diagnostic, Expression, Response, Value};
 
 use super::AskKeys;
 use super::given::{Given, unreadable};
-use super::keys::all;
 use crate::keyed::Keyed;
 use crate::read::study_keys::Referred;
 use crate::schema::OBJECTIVE;
@@ -43,7 +42,8 @@ fn read_terms(value: &Value, what: &str, of: Referred<'_>) -> Option<Vec<(Respon
         of.part.reader.report(report);
         return None;
     }
-    all(parts.iter().map(|part| read_term(part, what, of)))
+    // Wrong ones have been reported; the others are checked all the same.
+    Some(parts.iter().filter_map(|part| read_term(part, what, of)).collect())
 }
 
 fn read_term(value: &Value, what: &str, of: Referred<'_>) -> Option<(Response, Option<Expression>)> {

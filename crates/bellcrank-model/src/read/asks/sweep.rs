@@ -72,11 +72,38 @@ fn plan(
     samples: Given<Spanned<u64>>,
 ) -> Option<Plan> {
     let implied = if table.is_no() { Method::Grid } else { Method::Table };
-    let written = method.optional()?;
-    let method = written.map_or(implied, |method| method.value);
-    let (vary, table, samples) = (vary.optional()?, table.optional()?, samples.optional()?);
-    conflicts(asking, written, vary.as_ref(), table.as_ref())?;
-    let samples = match (method, samples) {
+    let written = method.is().copied();
+    // Nothing is said against what does not go with a method that could not be read.
+    let method = method.optional().map(|method| method.map_or(implied, |method| method.value));
+    let (vary, table, samples) = (vary.optional(), table.optional(), samples.optional());
+    let ranges = vary.as_ref().map(|vary| vary.as_ref().map(|vary| ranges(asking, &vary.value, method)));
+    let conflicts = match (&vary, &table) {
+        (Some(vary), Some(table)) => conflicts(asking, written, vary.as_ref(), table.as_ref()),
+        _ => None,
+    };
+    let (method, samples) = (method?, samples?);
+    let samples = if conflicts.is_some() { number(asking, method, written, samples) } else { None };
+    if let Some(table) = table? {
+        conflicts?;
+        let DesignTable { vary, names, rows } = table.value;
+        return Some(Plan { method, vary, columns: names, table: rows, samples: samples? });
+    }
+    let vary = vary??;
+    let count = if method == Method::Grid { grid(asking, &vary) } else { Some(()) };
+    (conflicts?, ranges???, count?);
+    let columns = vary.value.iter().map(|one| one.name.clone()).collect();
+    let vary = vary.value.into_iter().map(|one| one.varied).collect();
+    Some(Plan { method, vary, columns, table: Arc::default(), samples: samples? })
+}
+
+/// `samples`, where the method takes it; 0 elsewhere.
+fn number(
+    asking: &Asking<'_>,
+    method: Method,
+    written: Option<Spanned<Method>>,
+    samples: Option<Spanned<u64>>,
+) -> Option<u64> {
+    match (method, samples) {
         (Method::LatinHypercube | Method::Sobol, None) => {
             let message = format!("`samples` is missing in study `{}`", asking.entry.key);
             let hint = "the methods lhs and sobol need to know how many: `samples = 1000`";
@@ -95,18 +122,7 @@ fn plan(
             None
         }
         (_, samples) => Some(samples.map_or(0, |samples| samples.value)),
-    };
-    if let Some(table) = table {
-        let DesignTable { vary, names, rows } = table.value;
-        return Some(Plan { method, vary, columns: names, table: rows, samples: samples? });
     }
-    let vary = vary?;
-    let ranges = ranges(asking, &vary.value, method);
-    let count = if method == Method::Grid { grid(asking, &vary) } else { Some(()) };
-    (ranges?, count?);
-    let columns = vary.value.iter().map(|one| one.name.clone()).collect();
-    let vary = vary.value.into_iter().map(|one| one.varied).collect();
-    Some(Plan { method, vary, columns, table: Arc::default(), samples: samples? })
 }
 
 /// A table of designs leaves nothing to vary.
@@ -142,16 +158,16 @@ fn conflicts(
 }
 
 /// Every range has two ends; levels are those of a grid.
-fn ranges(asking: &Asking<'_>, vary: &[ReadLevels], method: Method) -> Option<()> {
+fn ranges(asking: &Asking<'_>, vary: &[ReadLevels], method: Option<Method>) -> Option<()> {
     let good: Vec<bool> = vary.iter().map(|one| range(asking, one, method).is_some()).collect();
     good.into_iter().all(|good| good).then_some(())
 }
 
-fn range(asking: &Asking<'_>, one: &ReadLevels, method: Method) -> Option<()> {
+fn range(asking: &Asking<'_>, one: &ReadLevels, method: Option<Method>) -> Option<()> {
     let parameter = asking.parameter(one.varied.parameter)?;
     let name = &one.name;
     let levels = match (method, one.points) {
-        (Method::LatinHypercube | Method::Sobol, Some(span)) => {
+        (Some(Method::LatinHypercube | Method::Sobol), Some(span)) => {
             let message = format!("`{name}` has a number of levels, which only a grid has");
             let hint = "with lhs and sobol `samples` is the number of designs; leave the levels out";
             asking.error("conflicting-keys", span, message, hint);

@@ -3,7 +3,6 @@
 use bellcrank_doc::{Diagnostic, Distribution, Expression, NoSignals, Value, ValueKind};
 
 use super::given::{Given, Told, told};
-use super::keys::all;
 use crate::design::Scattered;
 use crate::keyed::Keyed;
 use crate::read::study_keys::Referred;
@@ -12,7 +11,7 @@ use crate::schema::{LIMITS, SCATTER};
 pub(super) fn read_tolerances(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<Scattered>> {
     let what = keyed.named("tolerances");
     let told = told(of.part, value, &what)?;
-    all(told.into_iter().map(|one| scattered(&one, &format!("`{}` in {what}", one.name), of)))
+    Some(told.into_iter().filter_map(|one| scattered(&one, &format!("`{}` in {what}", one.name), of)).collect())
 }
 
 /// What the study says of one parameter: a half width, a table, or nothing.

@@ -11,16 +11,19 @@ use crate::design::{Scattered, Tolerance};
 const SAMPLES: u64 = 10_000;
 
 pub(super) fn tolerance(asking: &Asking<'_>, keys: AskKeys) -> Option<Tolerance> {
-    let response = asking.response(keys.response.optional()?);
-    let default = keys.distribution.optional()?.unwrap_or(Distribution::Normal);
-    let named = keys.tolerances.optional()?;
+    let response = keys.response.optional().flatten();
     let limits = keys.limits.or_else(|| [None, None]);
     let limits = limits.and_then(|limits| checked_limits(asking, limits, response.as_ref()));
-    let scattered = match named {
-        Some(named) => named,
-        None => all_with_a_tolerance(asking)?,
+    let response = asking.response(response);
+    let default = keys.distribution.optional();
+    let scattered = match keys.tolerances.optional() {
+        Some(None) => all_with_a_tolerance(asking),
+        named => named.flatten(),
     };
-    let scattered = super::keys::all(scattered.into_iter().map(|one| checked(asking, one, default)));
+    let in_doubt = default.flatten().unwrap_or(Distribution::Normal);
+    let scattered = scattered
+        .and_then(|scattered| super::keys::all(scattered.into_iter().map(|one| checked(asking, one, in_doubt))));
+    default?;
     Some(Tolerance {
         response: response?,
         scattered: scattered?,
@@ -35,7 +38,7 @@ fn all_with_a_tolerance(asking: &Asking<'_>) -> Option<Vec<Scattered>> {
     let wide = |spread: Spread| spread.half_width.is_some() || spread.sigma.is_some();
     let all = asking.parameters.all().iter().enumerate().filter(|(_, parameter)| wide(parameter.spread));
     let all: Vec<Scattered> = all.map(|(index, parameter)| Scattered::of(index, parameter.span)).collect();
-    if all.is_empty() {
+    if all.is_empty() && !asking.has_faulty_parameters() {
         let message = format!("study `{}` has no tolerances, and no parameter has one", asking.entry.key);
         let hint = "write `tolerances = { l5 = \"0.1 mm\" }` here, or `l5 = \"950 ± 0.1 mm\"` at the parameters";
         asking.error("no-tolerance", asking.entry.key_span, message, hint);

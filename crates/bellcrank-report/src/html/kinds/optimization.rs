@@ -154,9 +154,9 @@ fn iterations(found: &Optimization) -> String {
     if table.is_empty() {
         return table;
     }
-    let shown = of_best.len().min(MOST_ITERATIONS);
+    let shown = counted(of_best.len().min(MOST_ITERATIONS), "row", "rows");
     let all = counted(found.iterations.len(), "row", "rows");
     format!(
-        "<p class=\"hint\">Violation, optimality and step are scaled. {shown} rows of the best start; <code>iterations.csv</code> has all {all}.</p>\n{table}"
+        "<p class=\"hint\">Violation, optimality and step are scaled. {shown} of the best start; <code>iterations.csv</code> holds {all}.</p>\n{table}"
     )
 }

@@ -24,6 +24,7 @@ export class Curves {
     const hint = make("span", { class: "hint" }, "Drag across a chart to zoom, double-click to go back. Pointing at a curve moves the drawing.");
     mount.append(make("div", { class: "options" }, make("label", { class: "toggle" }, "over ", pick), reset, add, hint), this.grid);
     for (const { title, names } of presets(study)) this.add(title, names);
+    this.panels.forEach((panel) => panel.build());
   }
 
   private add(title: string, names: string[]): Panel {

@@ -43,7 +43,8 @@ export class Panel {
     const close = make("button", { type: "button", class: "quiet", "aria-label": "Remove chart", title: "Remove chart", click: () => remove(this) }, "×");
     const head = make("div", { class: "head" }, make("b", {}, title), picker.button, close);
     this.element = make("div", { class: "panel" }, head, picker.list, this.plotAt);
-    new ResizeObserver(() => this.resize()).observe(this.plotAt);
+    // After the layout: drawing changes the height that is being observed.
+    new ResizeObserver(() => setTimeout(() => this.resize())).observe(this.plotAt);
     shared.cursor.follow((row, source) => source !== this && this.follow(row));
   }
 

@@ -117,7 +117,9 @@ export class Rulers {
   private numbers(pen: CanvasRenderingContext2D, column: number): void {
     const x = this.x(column);
     [pen.textAlign, pen.textBaseline, pen.lineJoin] = ["right", "middle", "round"];
-    for (const mark of marks(this.spans[column], 5)) {
+    // Without a single value there is nothing to measure.
+    const known = Array.prototype.some.call(this.designs.columns[column].values, Number.isFinite);
+    for (const mark of known ? marks(this.spans[column], 5) : []) {
       const y = this.y(column, mark);
       [pen.strokeStyle, pen.lineWidth] = ["#fff", 3];
       pen.strokeText(shown(mark), x - 7, y);

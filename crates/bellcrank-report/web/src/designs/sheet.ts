@@ -92,6 +92,6 @@ export function whenWide(element: HTMLElement, act: () => void): void {
   new ResizeObserver(() => {
     if (element.clientWidth === width) return;
     width = element.clientWidth;
-    requestAnimationFrame(act);
+    setTimeout(act);
   }).observe(element);
 }
