@@ -110,7 +110,11 @@ impl Nonsense {
         let odd = [f64::NAN, f64::INFINITY, 1e300, -1e300, 1e-300, 0.0, -0.0, 1e17];
         let u = unit(self.seed ^ (self.calls << 20), place, 0);
         let k = (u * 100.0) as usize;
-        if self.seed % 3 == 0 && k < odd.len() { odd[k] } else { (u - 0.5) * 10f64.powi((place % 7) as i32 - 3) }
+        if self.seed.is_multiple_of(3) && k < odd.len() {
+            odd[k]
+        } else {
+            (u - 0.5) * 10f64.powi((place % 7) as i32 - 3)
+        }
     }
 }
 
