@@ -11,7 +11,7 @@ const INTRODUCTION: &str = "# Every key of the model file\n\nWritten by `cargo x
 /// The whole page.
 pub(crate) fn page() -> String {
     let schema = bellcrank_model::schema();
-    let mut page = Page { text: INTRODUCTION.to_owned(), done: Vec::new() };
+    let mut page = Page { text: INTRODUCTION.to_owned(), done: Vec::new(), alternatives: Vec::new() };
     page.table("The file", &schema);
     if let Some(parameter) = schema.pointer("/$defs/parameters/additionalProperties/anyOf/1") {
         page.table("`[parameters]`: an entry written as a table", parameter);
@@ -26,6 +26,8 @@ struct Page {
     text: String,
     /// Headings printed already: some tables occur under several others.
     done: Vec<String>,
+    /// Tables of alternatives printed already: some stand behind two keys.
+    alternatives: Vec<Value>,
 }
 
 impl Page {
@@ -67,6 +69,12 @@ impl Page {
             if let Some((heading, table)) = inner_table(name, key) {
                 self.table(&heading, table);
             }
+            for (heading, table) in alternatives(name, key) {
+                if !self.alternatives.contains(table) {
+                    self.alternatives.push(table.clone());
+                    self.table(&heading, table);
+                }
+            }
         }
     }
 }
@@ -80,6 +88,22 @@ fn inner_table<'a>(name: &str, key: &'a Value) -> Option<(String, &'a Value)> {
     let listed = key.get("items").filter(|table| is_table(table));
     let named = named.map(|table| (format!("`[{name}.NAME]`"), table));
     named.or_else(|| listed.map(|table| (format!("an entry of `{name}`"), table)))
+}
+
+/// Tables among what a key may hold, and among what entries of its lists and tables may be.
+fn alternatives<'a>(name: &str, key: &'a Value) -> Vec<(String, &'a Value)> {
+    let any = |of: &'a Value| of.get("anyOf").and_then(Value::as_array).into_iter().flatten();
+    let mut found = Vec::new();
+    for one in any(key) {
+        found.extend(inner_table(name, one));
+        for (inside, heading) in
+            [("items", format!("an entry of `{name}`")), ("additionalProperties", format!("`{name}`: an entry"))]
+        {
+            let tables = one.get(inside).into_iter().flat_map(any).filter(|of| is_table(of));
+            found.extend(tables.map(|table| (format!("{heading} written as a table"), table)));
+        }
+    }
+    found
 }
 
 fn is_table(of: &Value) -> bool {
@@ -116,6 +140,7 @@ fn of_type(key: &Value) -> String {
     match key.get("type").and_then(Value::as_str) {
         Some("array") => list(key),
         Some("object") if key.get("additionalProperties").is_some_and(is_table) => "named tables".to_owned(),
+        Some("object") if properties(key).is_none() => named(key),
         Some("object") => "a table".to_owned(),
         Some("integer") => "a whole number".to_owned(),
         Some("boolean") => "`true` or `false`".to_owned(),
@@ -123,6 +148,14 @@ fn of_type(key: &Value) -> String {
         None if key.get("type").is_some() => "an expression".to_owned(),
         None if is_table(key) => "a table".to_owned(),
         None => "anything".to_owned(),
+    }
+}
+
+/// A table of names, and what stands behind each.
+fn named(key: &Value) -> String {
+    match key.get("additionalProperties").filter(|of| of.is_object()) {
+        Some(of) => format!("a table: by name {}", holds(of)),
+        None => "a table".to_owned(),
     }
 }
 
@@ -136,7 +169,7 @@ fn list(key: &Value) -> String {
 
 fn in_words(name: &str) -> &str {
     match name {
-        "quantity" => "a value",
+        "quantity" | "value" => "a value",
         "number" => "a number",
         "values" => "a value or a list of values",
         "vector" => "a list of values, as many as the space has dimensions",

@@ -32,6 +32,7 @@ fn definitions() -> Value {
     json!({
         "quantity": dimensional,
         "number": number,
+        "value": number,
         "values": { "anyOf": [{ "$ref": "#/$defs/number" }, { "type": "array", "items": { "$ref": "#/$defs/number" } }] },
         "vector": vector(reference),
         "axis": { "anyOf": [{ "enum": AXES }, vector(json!({ "$ref": "#/$defs/number" }))] },
@@ -124,7 +125,7 @@ fn shape(of: Shape) -> Value {
         Shape::Values => reference("values"),
         Shape::Axis => reference("axis"),
         Shape::Response => response(),
-        Shape::Free => reference("number"),
+        Shape::Free => reference("value"),
         Shape::Responses => json!({ "anyOf": [
             { "type": "array", "items": response() },
             { "type": "object", "additionalProperties": response() },
@@ -141,7 +142,7 @@ fn shape(of: Shape) -> Value {
             json!({ "anyOf": [reference("names"), { "type": "object", "additionalProperties": said(schema, short) }] })
         }
         Shape::Between(schema) => {
-            let pair = json!({ "type": "array", "items": reference("number"), "minItems": 2, "maxItems": 2 });
+            let pair = json!({ "type": "array", "items": reference("value"), "minItems": 2, "maxItems": 2 });
             json!({ "anyOf": [pair, object(schema)] })
         }
         Shape::Directions => json!({ "type": "object", "additionalProperties": { "enum": DIRECTIONS } }),
@@ -162,10 +163,10 @@ fn response() -> Value {
 
 /// What may be said of a parameter: a table, or something short in its place.
 fn said(schema: &'static Schema, short: Short) -> Value {
-    let values = json!({ "type": "array", "items": reference("number"), "minItems": 1 });
+    let values = json!({ "type": "array", "items": reference("value") });
     match short {
         Short::Nothing => object(schema),
-        Short::Value => json!({ "anyOf": [reference("number"), object(schema)] }),
+        Short::Value => json!({ "anyOf": [reference("value"), object(schema)] }),
         Short::Levels => json!({ "anyOf": [{ "type": "integer", "minimum": 2 }, values, object(schema)] }),
     }
 }

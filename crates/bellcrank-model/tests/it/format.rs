@@ -1,8 +1,8 @@
 //! The schema and the starter.
 
-use bellcrank_model::{schema, starter};
+use bellcrank_model::{load, schema, starter};
 
-use crate::support::{model, run};
+use crate::support::{Scratch, lift, model, rendered, root, run};
 
 #[test]
 fn the_starter_runs() {
@@ -26,4 +26,19 @@ fn the_schema_names_every_kind() {
     }
     let required = schema["required"].as_array().expect("a list");
     assert!(required.iter().any(|key| key == "gravity"));
+}
+
+/// The examples of studies that ask stand on the page one after another, over the lift.
+#[test]
+fn the_examples_of_the_page_are_read() {
+    let page = std::fs::read_to_string(root().join("docs/model-file.md")).expect("the page");
+    let section = page.split("\n## ").find(|section| section.starts_with("Studies that ask")).expect("the section");
+    let examples: String = section.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(examples.matches("[studies.").count(), 7, "{examples}");
+    let lift = std::fs::read_to_string(lift()).expect("the lift");
+    let machine = lift.split("[studies.influence]").next().expect("a machine");
+    let scratch = Scratch::new("page");
+    scratch.write("designs.csv", "l31 [mm],l5 [mm]\n700,900\n720,950\n");
+    let loaded = load(&scratch.write("model.toml", format!("{machine}{examples}")), &[]);
+    assert!(loaded.diagnostics.is_empty(), "{}", rendered(&loaded));
 }

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use super::problem::{Malformed, Problem};
 use super::solution::{Options, Progress, Solution, Status};
 use super::solver::solve_watched;
-use crate::sampling::unit;
+use crate::sampling::{LatinHypercube, random_point};
 
 /// From where to start.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -174,19 +174,13 @@ fn solve_one<P: Problem + ?Sized>(
     Ok((from, solution))
 }
 
-/// Start `index`: a Latin hypercube of all starts; replacements are random.
+/// Start `index`: a row of the hypercube; replacements are random.
 fn place(start: &[f64], ranges: &[(f64, f64)], plan: &Multistart, index: usize, attempt: u64) -> Vec<f64> {
-    if index == 0 {
-        return start.to_vec();
-    }
-    let share = |j: usize| {
-        if attempt > 0 { unit(plan.seed ^ attempt, index as u64, j as u64) } else { stratum(plan, index - 1, j) }
-    };
-    ranges.iter().enumerate().map(|(j, &(l, u))| l + (u - l) * share(j)).collect()
-}
-
-fn stratum(plan: &Multistart, row: usize, dimension: usize) -> f64 {
-    unit(plan.seed, row as u64, dimension as u64)
+    let Some(row) = index.checked_sub(1) else { return start.to_vec() };
+    let cube = LatinHypercube::new(plan.starts as u64 - 1, ranges.len(), plan.seed);
+    let first = if attempt == 0 { cube.point(row as u64) } else { None };
+    let shares = first.unwrap_or_else(|| random_point(plan.seed ^ attempt, index as u64, ranges.len()));
+    ranges.iter().zip(shares).map(|(&(l, u), share)| l + (u - l) * share).collect()
 }
 
 /// Groups equal answers and sorts the groups.

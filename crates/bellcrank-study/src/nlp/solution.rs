@@ -24,11 +24,11 @@ pub struct Options {
     pub first_step: f64,
 }
 
-/// Tolerances are numbers of the method, not of the physics: 1e-8, 1e-9, 1e-12, 200 iterations.
+/// Tolerances are numbers of the method, not of the physics: 1e-8, 1e-9, 1e-12, 400 iterations.
 impl Default for Options {
     fn default() -> Self {
         let tolerances = Tolerances { optimality: 1e-8, feasibility: 1e-9, step: 1e-12 };
-        Self { tolerances, iterations: 200, first_step: 0.5 }
+        Self { tolerances, iterations: 400, first_step: 0.5 }
     }
 }
 
@@ -71,7 +71,8 @@ pub enum Status {
 /// ∇f + Σ λᵢ ∇cᵢ − lower + upper = 0.
 ///
 /// λᵢ ≥ 0 where cᵢ ≤ 0; λᵢ has any sign where cᵢ = 0. Where a function has pieces, ∇ is the mean of the pieces' gradients
-/// with the weights of `*_pieces`. dλ reads: raising the right-hand side 0 of cᵢ to ε changes the optimum by −λᵢ ε.
+/// with the weights of `*_pieces`. Raising the right-hand side 0 of cᵢ to ε changes the
+/// optimum by −λᵢ ε.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Multipliers {
     /// λᵢ, one a constraint.

@@ -82,11 +82,14 @@ impl<'p, P: Problem + ?Sized> Search<'p, P> {
     fn new(scaled: Scaled<'p, P>, point: Point, options: &Options) -> Self {
         let n = point.u.len();
         let extra = nothing(&point);
-        let radius = if options.first_step > 0.0 { options.first_step } else { 0.5 };
+        let mut options = *options;
+        // Whatever is asked, there is an end, and a beginning.
+        options.tolerances.step = options.tolerances.step.max(1e-14);
+        let radius = if options.first_step.is_nan() { 0.5 } else { options.first_step.clamp(1e-6, 1e3) };
         Self {
             hessian: Hessian::new(n),
             best: point.clone(),
-            options: *options,
+            options,
             weights: Weights::default(),
             weight: 1.0,
             penalty: 1.0,

@@ -32,7 +32,7 @@ pub(crate) struct AskKeys {
     pub(super) method: Given<Spanned<Method>>,
     pub(super) table: Given<Spanned<DesignTable>>,
     pub(super) samples: Given<Spanned<u64>>,
-    pub(super) pareto: Given<Spanned<Vec<(Spanned<String>, bool)>>>,
+    pub(super) pareto: Given<Sides>,
     pub(super) tolerances: Given<Vec<Scattered>>,
     pub(super) limits: Given<[Option<Expression>; 2]>,
     pub(super) sobol: Given<bool>,
@@ -45,6 +45,9 @@ pub(crate) struct Named {
     pub(super) response: NamedResponse,
     pub(super) name: bellcrank_doc::Span,
 }
+
+/// Names of responses, and whether each is to be small; where all of it stands.
+pub(super) type Sides = Spanned<Vec<(Spanned<String>, bool)>>;
 
 impl AskKeys {
     /// The study that is asked, as named.
@@ -252,7 +255,7 @@ fn read_responses(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<
 }
 
 /// Names of responses, each to be small (else large); the names are looked up when they are known.
-fn read_pareto(value: &Value, keyed: &Keyed<'_>) -> Option<Spanned<Vec<(Spanned<String>, bool)>>> {
+fn read_pareto(value: &Value, keyed: &Keyed<'_>) -> Option<Sides> {
     let what = keyed.named("pareto");
     let fields = keyed.reader().fields(value, &what)?;
     let sides = all(fields.table().iter().map(|entry| {

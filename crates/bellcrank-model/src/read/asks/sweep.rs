@@ -8,7 +8,7 @@ use super::AskKeys;
 use super::designs::ReadLevels;
 use super::finish::Asking;
 use super::given::Given;
-use super::keys::Named;
+use super::keys::{Named, Sides};
 use super::optimize::SEED;
 use super::table::DesignTable;
 use crate::design::{Designs, Levels, Method, NamedResponse, Varied};
@@ -90,7 +90,9 @@ fn plan(
     }
     let vary = vary??;
     let count = if method == Method::Grid { grid(asking, &vary) } else { Some(()) };
-    (conflicts?, ranges???, count?);
+    conflicts?;
+    ranges???;
+    count?;
     let columns = vary.value.iter().map(|one| one.name.clone()).collect();
     let vary = vary.value.into_iter().map(|one| one.varied).collect();
     Some(Plan { method, vary, columns, table: Arc::default(), samples: samples? })
@@ -222,8 +224,6 @@ fn grid(asking: &Asking<'_>, vary: &Spanned<Vec<ReadLevels>>) -> Option<()> {
     asking.error("out-of-range", vary.span, message, hint);
     None
 }
-
-type Sides = Spanned<Vec<(Spanned<String>, bool)>>;
 
 /// The two responses that oppose each other; the outer `None` after an error.
 fn front(asking: &Asking<'_>, pareto: Option<Sides>, responses: &[Named]) -> Option<Option<[(usize, bool); 2]>> {
