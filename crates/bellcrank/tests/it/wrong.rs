@@ -51,7 +51,10 @@ fn files_that_are_no_models() {
 fn command_lines() {
     let sandbox = Sandbox::with_lift("wrong-lines");
     snapshot::check("wrong-study", &sandbox, &["run", "lift.toml", "lif"]);
-    snapshot::check("wrong-study-kind", &sandbox, &["run", "lift.toml", "influence"]);
+    let later = Sandbox::with_lift("wrong-kind");
+    let lift = later.read("lift.toml");
+    later.write("later.toml", format!("{lift}\n[studies.ringing]\nkind = \"modes\"\nof = \"lift\"\n"));
+    snapshot::check("wrong-study-kind", &later, &["run", "later.toml", "ringing"]);
     snapshot::check("wrong-set-syntax", &sandbox, &["run", "lift.toml", "--set", "l31"]);
     snapshot::check("wrong-set-name", &sandbox, &["run", "lift.toml", "--set", "l33=700mm"]);
     snapshot::check("wrong-set-unit", &sandbox, &["check", "lift.toml", "--set", "l31=700 deg"]);

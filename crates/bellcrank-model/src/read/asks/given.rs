@@ -97,9 +97,17 @@ pub(super) fn told<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Op
     }
 }
 
+/// The value, unless it is a text where a list of texts is needed; that is reported.
+pub(super) fn one_in_brackets<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<&'v Value> {
+    let Some(text) = value.as_str() else { return Some(value) };
+    let report = Diagnostic::error("wrong-type", value.span, format!("{what} needs a list, found a string"));
+    part.reader.report(report.hint(format!("one stands in brackets, too: `[\"{text}\"]`")));
+    None
+}
+
 /// A list of names of parameters.
 pub(super) fn names<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<Vec<Told<'v>>> {
-    let list = part.reader.list(value, what)?;
+    let list = part.reader.list(one_in_brackets(part, value, what)?, what)?;
     let one = |value: &'v Value| {
         let name = part.reader.string(value, what)?;
         let parameter = parameter(part, name.value, name.span)?;

@@ -3,7 +3,7 @@
 use bellcrank_doc::{Constraint, Diagnostic, Distribution, Expression, Response, Spanned, Value};
 
 use super::designs::{ReadLevels, read_vary};
-use super::given::{Given, names as parameter_names, told, whole};
+use super::given::{Given, names as parameter_names, one_in_brackets, told, whole};
 use super::objective::{Objective, read_objective};
 use super::table::{DesignTable, read_designs};
 use super::tolerance::{read_limits, read_tolerances};
@@ -229,7 +229,7 @@ fn read_responses(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<
             let named = NamedResponse { name: entry.key.clone(), response };
             (!faulty).then_some(Named { response: named, name: entry.key_span })
         })),
-        None => all(of.part.reader.list(value, &what)?.iter().map(|one| {
+        None => all(of.part.reader.list(one_in_brackets(of.part, value, &what)?, &what)?.iter().map(|one| {
             let response = of.response(one, &what)?;
             let name = response.written().trim().to_owned();
             Some(Named { response: NamedResponse { name, response }, name: one.span })
