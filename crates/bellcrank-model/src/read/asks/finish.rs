@@ -30,7 +30,8 @@ pub(crate) fn ask(asking: &Asking<'_>, keys: AskKeys) -> Option<Ask> {
         "sensitivity" => Question::Sensitivity(sensitivity(asking, keys)?),
         "optimize" => Question::Optimize(optimize::optimize(asking, keys)?),
         "sweep" => Question::Designs(sweep::designs(asking, keys)?),
-        _ => Question::Tolerance(tolerance_of::tolerance(asking, keys)?),
+        "tolerance" => Question::Tolerance(tolerance_of::tolerance(asking, keys)?),
+        other => unreachable!("`{other}` is in `ASKING`, but nobody reads it"),
     };
     Some(Ask { of: asking.asked.name.to_owned(), of_span, signals: asking.signals.clone(), question })
 }
