@@ -41,6 +41,17 @@ pub struct Blueprint<T> {
     pub inputs: usize,
 }
 
+impl<T: Copy> Blueprint<T> {
+    /// Takes the numbers of another one, in the memory of the old.
+    pub(crate) fn copy_from(&mut self, other: &Blueprint<T>) {
+        self.gravity = other.gravity;
+        self.bodies.clone_from(&other.bodies);
+        self.joints.clone_from(&other.joints);
+        self.forces.clone_from(&other.forces);
+        self.inputs = other.inputs;
+    }
+}
+
 /// Mass properties in body axes.
 #[derive(Clone, Debug)]
 pub struct Body<T> {

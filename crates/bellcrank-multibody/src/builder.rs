@@ -1,6 +1,6 @@
 //! From a blueprint to a mechanism: nodes along the spanning tree, links for every joint.
 
-use crate::constraint::{Link, Measure, link_of};
+use crate::constraint::{Link, Measure, aligned, link_of};
 use crate::mechanism::{Carried, Coupling, Inertia, Mechanism, Node, Source, TreeJoint};
 use crate::topology::{Branch, Edge, Motion, Step, coordinate_count, path_between, spanning_tree, steps_of};
 use crate::{Blueprint, BuildError, Coordinate, Joint, JointId, JointKind, Place};
@@ -14,7 +14,52 @@ pub(crate) fn build<S: Space>(blueprint: &Blueprint<S::T>) -> Result<Mechanism<S
     for branch in &tree {
         builder.grow(branch, &steps)?;
     }
-    builder.finish()
+    builder.finish(tree)
+}
+
+/// Puts the numbers of a blueprint into a mechanism that was built from one of the same structure; `false` when the
+/// structure differs, and the mechanism is of no use then.
+pub(crate) fn refresh<S: Space>(mech: &mut Mechanism<S>, blueprint: &Blueprint<S::T>) -> Result<bool, BuildError> {
+    let steps = checked_steps::<S>(blueprint)?;
+    let tree = std::mem::take(&mut mech.tree);
+    let mut builder = Builder::new(blueprint);
+    if blueprint.joints.len() != mech.link_of.len() || blueprint.bodies.len() != mech.bodies.len() {
+        return Ok(false);
+    }
+    for branch in &tree {
+        builder.grow(branch, &steps)?;
+    }
+    if (builder.nq, builder.nv, builder.nodes.len()) != (mech.nq, mech.nv, mech.nodes.len()) {
+        return Ok(false);
+    }
+    (mech.tree, mech.nodes) = (tree, builder.nodes);
+    for (to, from) in mech.bodies.iter_mut().zip(builder.bodies) {
+        *to = from.unwrap_or(*to);
+    }
+    for link in &mut mech.links {
+        let joint = &blueprint.joints[link.joint.0];
+        let Some(places) = &joint.places else { return Ok(false) };
+        let ends = ends_of(places, &mech.bodies);
+        let (ends, held) = aligned::<S>(link.joint, &joint.kind, ends)?;
+        (link.ends, link.held) = (ends, held);
+    }
+    for coupling in &mut mech.couplings {
+        let JointKind::Coupler { ratio, offset, .. } = &blueprint.joints[coupling.joint.0].kind else {
+            return Ok(false);
+        };
+        (coupling.ratio, coupling.offset) = (*ratio, *offset);
+    }
+    mech.elements = crate::forces::elements_of(blueprint, &mech.bodies, &mech.sources)?;
+    mech.gravity = S::vector(&blueprint.gravity);
+    mech.size = typical_size(blueprint);
+    Ok(true)
+}
+
+fn ends_of<S: Space>(places: &[Place<S::T>; 2], bodies: &[Carried<S>]) -> [(usize, Frame<S>); 2] {
+    [0, 1].map(|i| {
+        let b = &bodies[places[i].body.0];
+        (b.node, b.frame.then(&frame_of::<S>(&places[i])))
+    })
 }
 
 type Steps<S> = Vec<Option<Vec<Step<S>>>>;
@@ -170,7 +215,7 @@ impl<'a, S: Space> Builder<'a, S> {
         }
     }
 
-    fn finish(self) -> Result<Mechanism<S>, BuildError> {
+    fn finish(self, tree: Vec<Branch>) -> Result<Mechanism<S>, BuildError> {
         let bodies: Vec<Carried<S>> = self
             .bodies
             .iter()
@@ -199,6 +244,7 @@ impl<'a, S: Space> Builder<'a, S> {
         }
         let elements = crate::forces::elements_of(self.blueprint, &bodies, &sources)?;
         Ok(Mechanism {
+            tree,
             gravity: S::vector(&self.blueprint.gravity),
             size: typical_size(self.blueprint),
             inputs: self.blueprint.inputs,
@@ -226,10 +272,7 @@ impl<'a, S: Space> Builder<'a, S> {
         parents: &[usize],
         in_tree: bool,
     ) -> Result<Link<S>, BuildError> {
-        let ends = [0, 1].map(|i| {
-            let b = &bodies[places[i].body.0];
-            (b.node, b.frame.then(&frame_of::<S>(&places[i])))
-        });
+        let ends = ends_of(places, bodies);
         let path = path_between(parents, ends[0].0, ends[1].0);
         let mut link = link_of::<S>(id, kind, ends)?;
         if in_tree {

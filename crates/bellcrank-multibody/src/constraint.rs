@@ -110,18 +110,31 @@ pub(crate) fn link_of<S: Space>(
     kind: &JointKind<S::T>,
     ends: [(usize, Frame<S>); 2],
 ) -> Result<Link<S>, BuildError> {
+    let (ends, held) = aligned::<S>(joint, kind, ends)?;
+    let rows = if S::DIM == 2 { planar_rows(kind) } else { spatial_rows(kind) };
+    debug_assert!(coordinate_count(kind, S::DIM == 2) <= 6);
+    Ok(Link { joint, ends, rows, first_row: 0, held, path: Vec::new(), columns: Vec::new(), points_only: false })
+}
+
+/// The numbers of a link: its places with the axes that the rows refer to, and what it holds.
+pub(crate) fn aligned<S: Space>(
+    joint: JointId,
+    kind: &JointKind<S::T>,
+    ends: Ends<S>,
+) -> Result<(Ends<S>, S::T), BuildError> {
     let align = alignment::<S>(joint, kind)?;
     let turned = Frame { rotation: align, origin: S::Vector::default() };
     let ends = ends.map(|(node, frame)| (node, frame.then(&turned)));
-    let rows = if S::DIM == 2 { planar_rows(kind) } else { spatial_rows(kind) };
     let held = match kind {
         JointKind::Distance { length: Some(l) } => *l,
         JointKind::Screw { pitch, .. } => *pitch * S::T::from_f64(0.5 / std::f64::consts::PI),
         _ => S::T::zero(),
     };
-    debug_assert!(coordinate_count(kind, S::DIM == 2) <= 6);
-    Ok(Link { joint, ends, rows, first_row: 0, held, path: Vec::new(), columns: Vec::new(), points_only: false })
+    Ok((ends, held))
 }
+
+/// Node and frame of the first and the second place.
+type Ends<S> = [(usize, Frame<S>); 2];
 
 fn alignment<S: Space>(joint: JointId, kind: &JointKind<S::T>) -> Result<S::Rotation, BuildError> {
     use JointKind as K;

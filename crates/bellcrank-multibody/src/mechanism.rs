@@ -2,7 +2,7 @@
 
 use crate::constraint::{Link, Measure, RowKind};
 use crate::forces::Element;
-use crate::topology::Motion;
+use crate::topology::{Branch, Motion};
 use crate::{Blueprint, BuildError, Coordinate, JointId};
 use bellcrank_math::{Frame, Space};
 
@@ -76,6 +76,8 @@ pub(crate) struct TreeJoint {
 /// A mechanism, frozen after [`Mechanism::build`] and shared by any number of workspaces.
 #[derive(Clone, Debug)]
 pub struct Mechanism<S: Space> {
+    /// How the tree was grown.
+    pub(crate) tree: Vec<Branch>,
     pub(crate) gravity: S::Vector,
     pub(crate) nodes: Vec<Node<S>>,
     pub(crate) bodies: Vec<Carried<S>>,

@@ -4,7 +4,7 @@
 //! steps of least norm `δ = Jᵀ (J Jᵀ + μ I)⁻¹ r`, so that what need not move stays. When that ends in a
 //! gap, coordinates without a start are tried anew, at random but always the same.
 
-use super::jacobian::{Rows, source_entries};
+use super::jacobian::{Entry, Rows, source_entries};
 use super::machine::Machine;
 use crate::attitude::wrap;
 use crate::constraint::{Measure, RowKind};
@@ -65,7 +65,7 @@ impl SparseRows {
         for (i, row) in self.0.iter().enumerate() {
             row.iter().for_each(|&(v, value)| rows_of[v].push((i, value)));
         }
-        let Normal { place, lu, y } = normal;
+        let Normal { place, lu, y, .. } = normal;
         lu.clear();
         for entries in &rows_of {
             for (i, a) in entries {
@@ -84,18 +84,31 @@ impl SparseRows {
 }
 
 /// The matrix `J Jᵀ` of a pattern of rows, ordered once for all steps.
+#[derive(Debug)]
 struct Normal {
+    ordered: bool,
     place: Vec<usize>,
     lu: BandLu,
     y: Vec<f64>,
 }
 
+impl Default for Normal {
+    fn default() -> Self {
+        Self { ordered: false, place: Vec::new(), lu: BandLu::new(0, 0, 0), y: Vec::new() }
+    }
+}
+
 impl Normal {
-    fn new(rows: &SparseRows, columns: usize) -> Self {
-        let m = rows.0.len();
-        if m <= DENSE {
-            return Self { place: (0..m).collect(), lu: BandLu::new(m, m, m), y: vec![0.0; m] };
+    /// Another search may have another pattern.
+    fn begin(&mut self) {
+        self.ordered = false;
+    }
+
+    fn order(&mut self, rows: &SparseRows, columns: usize) {
+        if std::mem::replace(&mut self.ordered, true) {
+            return;
         }
+        let m = rows.0.len();
         let mut rows_of = vec![Vec::new(); columns];
         for (i, row) in rows.0.iter().enumerate() {
             row.iter().for_each(|(v, _)| rows_of[*v].push(i));
@@ -107,7 +120,54 @@ impl Normal {
             places.clone().max().unwrap_or(0) - places.min().unwrap_or(0)
         };
         let band = rows_of.iter().map(spread).max().unwrap_or(0);
-        Self { place, lu: BandLu::new(m, band, band), y: vec![0.0; m] }
+        (self.lu, self.y) = (BandLu::new(m, band, band), vec![0.0; m]);
+        self.place = place;
+    }
+
+    /// A full matrix needs no ordering.
+    fn fill(&mut self, m: usize) {
+        if self.lu.size() != m || self.place.len() != m || self.place.windows(2).any(|p| p[0] > p[1]) {
+            self.place = (0..m).collect();
+            (self.lu, self.y) = (BandLu::new(m, m, m), vec![0.0; m]);
+        }
+        self.lu.clear();
+    }
+}
+
+/// Memory of the search, kept from one assembly to the next.
+#[derive(Debug, Default)]
+pub(crate) struct Room {
+    r: Vec<f64>,
+    next: Vec<f64>,
+    q: Vec<f64>,
+    /// Rows of the Jacobian one after another, where they are few.
+    jacobian: Vec<f64>,
+    entries: Vec<Entry>,
+    normal: Normal,
+}
+
+impl Room {
+    fn least_norm(&mut self, count: usize, width: usize, mu: f64, delta: &mut [f64]) {
+        let Self { r, jacobian, normal, .. } = self;
+        normal.fill(count);
+        let row = |i: usize| &jacobian[i * width..(i + 1) * width];
+        for i in 0..count {
+            for k in 0..=i {
+                let product: f64 = row(i).iter().zip(row(k)).map(|(a, b)| a * b).sum();
+                normal.lu.add(i, k, product);
+                if i != k {
+                    normal.lu.add(k, i, product);
+                }
+            }
+            normal.lu.add(i, i, mu);
+        }
+        normal.lu.factor();
+        normal.y.copy_from_slice(&r[..count]);
+        normal.lu.solve(&mut normal.y);
+        delta.fill(0.0);
+        for (i, y) in normal.y.iter().enumerate() {
+            delta.iter_mut().zip(row(i)).for_each(|(d, j)| *d += j * y);
+        }
     }
 }
 
@@ -205,9 +265,11 @@ impl<S: Space<T = f64>> Machine<S> {
         self.check_closed(held)
     }
 
-    fn residual(&mut self, asked: &[Asked]) -> Vec<f64> {
+    /// What is missing to close the loops and meet what is asked, into `r`.
+    fn residual(&mut self, asked: &[Asked], r: &mut Vec<f64>) {
         self.rows.evaluate(&self.mech, &self.q, &self.x);
-        let mut r: Vec<f64> = self.rows.value.iter().map(|v| -v).collect();
+        r.clear();
+        r.extend(self.rows.value.iter().map(|v| -v));
         for (source, value) in asked {
             r.push(match source {
                 Source::Node(n) => value - self.q[self.mech.nodes[*n].q],
@@ -217,36 +279,44 @@ impl<S: Space<T = f64>> Machine<S> {
                 }
             });
         }
-        r
     }
 
     fn levenberg_marquardt(&mut self, asked: &[Asked], most: usize) -> usize {
+        let mut room = self.room.take().unwrap_or_default();
+        let steps = self.search(asked, most, &mut room);
+        self.room = Some(room);
+        steps
+    }
+
+    fn search(&mut self, asked: &[Asked], most: usize, room: &mut Room) -> usize {
         let cost = |r: &[f64]| r.iter().map(|x| x * x).sum::<f64>();
-        let mut r = self.residual(asked);
-        let mut before = cost(&r);
+        self.residual(asked, &mut room.r);
+        let mut before = cost(&room.r);
         let mut mu = 1e-4;
-        let tight = (1e-16 * self.mech.size.max(1e-3)).powi(2);
+        let size = self.mech.size.max(1e-3);
+        // Below `tight` all is done; from `rounding` on a step that does not help shows that nothing will.
+        let (tight, rounding) = ((1e-16 * size).powi(2), (1e-13 * size).powi(2));
         let mut stalled = 0;
-        let mut normal: Option<Normal> = None;
+        room.normal.begin();
         for step in 0..most {
-            if before <= tight || !before.is_finite() || stalled > 12 {
+            let done = before <= tight || (before <= rounding && stalled > 0);
+            if done || !before.is_finite() || stalled > 12 {
                 return step;
             }
-            let rows = SparseRows::of(&self.mech, &self.rows, &self.x, asked);
-            let normal = normal.get_or_insert_with(|| Normal::new(&rows, self.mech.nv));
-            rows.least_norm(normal, &r, mu, &mut self.scratch.delta);
+            self.least_norm(asked, mu, room);
             self.limit_step();
-            let q = self.q.clone();
+            room.q.clone_from(&self.q);
             self.step(1.0);
             self.update_positions();
-            let next = self.residual(asked);
-            let now = cost(&next);
+            self.residual(asked, &mut room.next);
+            let now = cost(&room.next);
             if now < before {
                 stalled = if now > 0.999 * before { stalled + 1 } else { 0 };
-                (r, before) = (next, now);
+                std::mem::swap(&mut room.r, &mut room.next);
+                before = now;
                 mu = (mu * 0.1).max(1e-15);
             } else {
-                self.q = q;
+                self.q.copy_from_slice(&room.q);
                 self.update_positions();
                 self.rows.evaluate(&self.mech, &self.q, &self.x);
                 stalled += 1;
@@ -254,6 +324,27 @@ impl<S: Space<T = f64>> Machine<S> {
             }
         }
         most
+    }
+
+    /// `δ = Jᵀ (J Jᵀ + μ I)⁻¹ r` into the scratch.
+    fn least_norm(&mut self, asked: &[Asked], mu: f64, room: &mut Room) {
+        let count = self.mech.rows() + asked.len();
+        if count > DENSE {
+            let rows = SparseRows::of(&self.mech, &self.rows, &self.x, asked);
+            room.normal.order(&rows, self.mech.nv);
+            rows.least_norm(&mut room.normal, &room.r, mu, &mut self.scratch.delta);
+            return;
+        }
+        let width = self.mech.nv;
+        room.jacobian.clear();
+        room.jacobian.resize(count * width, 0.0);
+        self.rows.each(&self.mech, |r, v, value| room.jacobian[r * width + v] += value);
+        room.entries.clear();
+        for (i, (source, _)) in asked.iter().enumerate() {
+            source_entries(&self.mech, &self.x, *source, 1.0, self.mech.rows() + i, &mut room.entries);
+        }
+        room.entries.iter().for_each(|&(r, v, value)| room.jacobian[r * width + v] += value);
+        room.least_norm(count, width, mu, &mut self.scratch.delta);
     }
 
     /// Turns of more than about a radian a step leave the region where the tangent means anything.
@@ -270,8 +361,10 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     fn check_closed(&mut self, held: &[Asked]) -> Result<(), MechanismError> {
-        let r = self.residual(held);
-        let gap = r.iter().fold(0.0, |m: f64, x| if x.is_nan() { f64::INFINITY } else { m.max(x.abs()) });
+        let mut room = self.room.take().unwrap_or_default();
+        self.residual(held, &mut room.r);
+        let gap = room.r.iter().fold(0.0, |m: f64, x| if x.is_nan() { f64::INFINITY } else { m.max(x.abs()) });
+        self.room = Some(room);
         let redundant = self.mech.rows() + held.len() > self.mech.nv || self.mech.rows() >= self.mech.nv;
         let limit = if redundant { NEARLY_CLOSED } else { CLOSED } * self.mech.size.max(1e-3);
         let flipped = self.flipped();

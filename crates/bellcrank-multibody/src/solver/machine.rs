@@ -1,5 +1,6 @@
 //! A mechanism with its state and all that is computed from it.
 
+use super::assembly::Room;
 use super::jacobian::Rows;
 use super::position::History;
 use super::readings::Solved;
@@ -70,6 +71,8 @@ pub struct Machine<S: Space<T = f64>> {
     /// Wrench of each joint on its second body at P₂: N, N·m.
     pub(crate) wrench: Vec<(S::Vector, S::Angular)>,
     pub(crate) scratch: Scratch,
+    /// Memory of assembly.
+    pub(crate) room: Option<Room>,
     /// Turns already made by measured angles, so that they do not jump at ±180°.
     pub(crate) unwrapped: Vec<Vec<f64>>,
     /// The measured angles: joint, coordinate, link and measure.
@@ -126,6 +129,7 @@ impl<S: Space<T = f64>> Machine<S> {
             measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
             tangent: None,
+            room: None,
             mech,
             blueprint,
         };
@@ -135,14 +139,11 @@ impl<S: Space<T = f64>> Machine<S> {
 
     /// Other numbers in the same structure.
     pub(crate) fn take_numbers(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError> {
-        let mech = Mechanism::<S>::build(blueprint)?;
-        let same = |m: &Mechanism<S>| (m.nq, m.nv, m.link_rows, m.couplings.len(), m.nodes.len(), m.elements.len());
-        if same(&mech) != same(&self.mech) {
+        if !crate::builder::refresh(&mut self.mech, blueprint)? {
             *self = Self::new(blueprint.clone())?;
             return Ok(());
         }
-        self.mech = mech;
-        self.blueprint.clone_from(blueprint);
+        self.blueprint.copy_from(blueprint);
         if let Some(prepared) = self.prepared.take() {
             self.kept = Some(prepared);
         }

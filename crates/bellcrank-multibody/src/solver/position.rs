@@ -20,10 +20,13 @@ const LARGEST_TURN: f64 = 1.6;
 /// A correction may be this much of the step; beyond it another branch may be near.
 const LARGEST_CORRECTION: f64 = 0.25;
 
+/// Positions that extrapolation looks back on: a polynomial of one degree less.
+const DEPTH: usize = 6;
+
 /// The last positions of a uniform sweep, newest first, for extrapolation.
 #[derive(Clone, Debug)]
 pub(crate) struct History {
-    q: [Vec<f64>; 4],
+    q: [Vec<f64>; DEPTH],
     count: usize,
     increment: Vec<f64>,
 }
@@ -50,9 +53,9 @@ impl History {
         self.increment.extend(from.iter().zip(to).map(|(a, b)| b - a));
         self.q.rotate_right(1);
         self.q[0].copy_from_slice(q);
-        self.count = (self.count + 1).min(4);
+        self.count = (self.count + 1).min(DEPTH);
     }
-    /// The next position by a polynomial through three or four equal steps.
+    /// The next position by a polynomial through three to six equal steps.
     fn extrapolate(&self, from: &[f64], to: &[f64], out: &mut [f64]) -> bool {
         let same = self.increment.iter().zip(from.iter().zip(to)).all(|(i, (a, b))| {
             let d = b - a;
@@ -61,9 +64,15 @@ impl History {
         if self.count < 3 || !same {
             return false;
         }
-        let [a, b, c, d] = &self.q;
-        for i in 0..out.len() {
-            out[i] = if self.count > 3 { 4.0 * (a[i] + c[i]) - 6.0 * b[i] - d[i] } else { 3.0 * (a[i] - b[i]) + c[i] };
+        // Binomial coefficients with alternating signs: the polynomial through the last equal steps.
+        let weights: &[f64] = match self.count {
+            3 => &[3.0, -3.0, 1.0],
+            4 => &[4.0, -6.0, 4.0, -1.0],
+            5 => &[5.0, -10.0, 10.0, -5.0, 1.0],
+            _ => &[6.0, -15.0, 20.0, -15.0, 6.0, -1.0],
+        };
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = weights.iter().zip(&self.q).map(|(w, q)| w * q[i]).sum();
         }
         true
     }

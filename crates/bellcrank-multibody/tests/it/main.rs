@@ -7,5 +7,6 @@ mod chain;
 mod lift;
 mod machines;
 mod random;
+mod renewed;
 mod statics;
 mod tangent;
