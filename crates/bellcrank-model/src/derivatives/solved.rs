@@ -6,7 +6,6 @@ use crate::build::{self, Built};
 use crate::design::{Design, Over, Quantity, Study, Task, Values};
 use crate::motion::Running;
 use crate::run::inputs::{Evaluated, Inputs};
-use crate::run::sweep::position;
 use crate::scalar::Scalar;
 use crate::signals::{Level, MOST, Source, View};
 
@@ -201,4 +200,10 @@ fn every_signal_of_a_solved_position_has_the_derivatives_of_its_differences() {
         }
     }
     assert!(found > 10_000, "{found} derivatives");
+}
+
+/// A place among equal steps.
+fn position<T: Scalar>(from: T, to: T, row: usize, last: usize) -> T {
+    let share = row as f64 / last as f64;
+    from * T::from_f64(1.0 - share) + to * T::from_f64(share)
 }

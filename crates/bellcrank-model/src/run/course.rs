@@ -2,7 +2,6 @@
 
 use bellcrank_multibody::{Actuation, Assembled, Blueprint, Coordinate, Engine, MechanismError};
 
-use super::time::Times;
 use crate::build::Built;
 use crate::design::{Hold, Law, Over, Prescribed, Sweep, Values};
 use crate::motion::Running;
@@ -90,16 +89,9 @@ impl<'d> Course<'d> {
         motions: Vec<&'d Prescribed>,
     ) -> Result<Course<'d>, MechanismError> {
         let held = machine.held(holds);
-        let assembled = match path.sweep() {
-            Some(sweep) => {
-                let mut needed = held.clone();
-                needed.extend(motions.iter().flat_map(|motion| at_the_beginning(machine, motion)));
-                // A start of the swept coordinate selects the branch where the file says it.
-                let swept = sweep.coordinate;
-                let at = machine.start(swept).unwrap_or_else(|| sweep.from.eval(machine.values));
-                machine.assemble(&needed, &[(swept, at)])?
-            }
-            None => assemble_in_time(machine, &held, &motions)?,
+        let assembled = match path {
+            Path::Motion(Over::Time { .. }) => assemble_in_time(machine, &held, &motions)?,
+            _ => assemble_at_rest(machine, path.sweep(), &held, &motions)?,
         };
         let rest = |hold: &Hold| {
             let place = held.iter().find(|(coordinate, _)| *coordinate == hold.coordinate);
@@ -184,6 +176,21 @@ fn assemble_in_time(
     machine.assemble(&needed, &wished)
 }
 
+/// Assembles with all that is held where it rests.
+fn assemble_at_rest(
+    machine: &mut Assembly<'_>,
+    sweep: Option<&Sweep>,
+    held: &[(Coordinate, f64)],
+    motions: &[&Prescribed],
+) -> Result<Assembled, MechanismError> {
+    let mut needed = held.to_vec();
+    needed.extend(motions.iter().flat_map(|motion| at_the_beginning(machine, motion)));
+    // A start of the swept coordinate selects the branch where the file says it; the sweep walks from there.
+    let at = |sweep: &Sweep| machine.start(sweep.coordinate).unwrap_or_else(|| sweep.from.eval(machine.values));
+    let swept = sweep.map(|sweep| (sweep.coordinate, at(sweep)));
+    machine.assemble(&needed, swept.as_slice())
+}
+
 /// Where a motion is at time 0.
 fn at_the_beginning(machine: &Assembly<'_>, motion: &Prescribed) -> Vec<(Coordinate, f64)> {
     let from = motion.coordinates.first().and_then(|&c| machine.start(c)).unwrap_or(0.0);
@@ -226,12 +233,15 @@ impl<'d> Path<'d> {
 
     fn rows(self, values: &Values) -> usize {
         match self {
-            Path::Motion(Over::Time { duration, step, .. }) => {
-                Times::new(duration.eval(values), step.eval(values)).rows
-            }
+            Path::Motion(Over::Time { duration, step, .. }) => steps(duration.eval(values), step.eval(values)) + 1,
             _ => self.sweep().map_or(1, |sweep| sweep.points),
         }
     }
+}
+
+/// Steps over a time, the last one perhaps shorter; one that fits but for rounding does not leave a sliver at the end.
+fn steps(duration: f64, step: f64) -> usize {
+    (duration / step - 1e-9).ceil().max(1.0) as usize
 }
 
 /// The ends of a sweep.

@@ -4,7 +4,7 @@ use bellcrank_multibody::{Coordinate, JointId, MechanismError, System};
 use bellcrank_results::{Failure, Unit};
 
 use super::End;
-use crate::design::{Design, JointShape};
+use crate::design::{Design, JointShape, Over, Study, Task};
 use crate::measure::{Measure, Motion};
 
 /// Names of coordinates, and their places in display units.
@@ -241,5 +241,45 @@ fn singular(namer: &Namer<'_>, system: System, mobile: &[Coordinate]) -> (String
             format!("dead position of the drives: {list} can move while they rest"),
             vec!["put the drive on another joint".to_owned()],
         ),
+    }
+}
+
+/// Places on the axis of a study in words.
+#[derive(Clone, Copy)]
+pub(crate) struct Places<'d> {
+    namer: Namer<'d>,
+    study: &'d Study,
+}
+
+impl<'d> Places<'d> {
+    pub(crate) fn new(design: &'d Design, study: &'d Study) -> Places<'d> {
+        Places { namer: Namer::new(design), study }
+    }
+
+    /// `joint.B.position = 12 deg`, `time = 0.5 s`.
+    pub(crate) fn at(&self, place: f64) -> String {
+        match self.study.axis() {
+            Some(c) => format!("{} = {}", self.namer.signal(c), self.namer.place(c, place)),
+            None => self.namer.time(place),
+        }
+    }
+
+    /// The same for what happens between two rows; in time the later one says it.
+    pub(crate) fn between(&self, before: f64, now: f64) -> String {
+        match self.study.axis() {
+            Some(c) => {
+                let [a, b] = [before, now].map(|place| self.namer.place(c, place));
+                format!("{} between {a} and {b}", self.namer.signal(c))
+            }
+            None => self.at(now),
+        }
+    }
+
+    /// The drive of a sweep by name; in time there may be several.
+    pub(crate) fn drives(&self) -> String {
+        match &self.study.task {
+            Task::Motion { over: Over::Positions { drive, .. }, .. } => format!("`{}`", self.namer.coordinate(*drive)),
+            _ => "the drives".to_owned(),
+        }
     }
 }

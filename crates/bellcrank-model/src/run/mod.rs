@@ -4,24 +4,23 @@ mod animation;
 mod course;
 mod explain;
 pub(crate) mod inputs;
+mod motion;
 mod notes;
 mod recorder;
 mod session;
 mod statics;
-pub(crate) mod sweep;
-pub(crate) mod time;
 
 use std::time::Instant;
 
 use bellcrank_results::StudyResult;
 
-use crate::design::{Design, Over, Study, Task};
+use crate::design::{Design, Study, Task};
 use crate::progress::Progress;
 use session::Session;
 
 pub(crate) use animation::arrows;
 pub(crate) use course::{Assembly, Course, Laws, Path, Targets};
-pub(crate) use explain::{Namer, failure, shown};
+pub(crate) use explain::{Namer, Places, failure, shown};
 pub(crate) use inputs::{Evaluated, Inputs};
 
 /// Runs a study that gives rows. What goes wrong is in the result.
@@ -43,17 +42,11 @@ pub(crate) fn run(design: &Design, study: &Study, progress: &mut dyn Progress) -
 /// Why a run ended early.
 type End = Box<bellcrank_results::Failure>;
 
-fn execute(session: &mut Session<'_>, study: &Study, progress: &mut dyn Progress) -> Result<(), End> {
+fn execute<'d>(session: &mut Session<'d>, study: &'d Study, progress: &mut dyn Progress) -> Result<(), End> {
     match &study.task {
-        Task::Motion { over: Over::Positions { sweep, drive, velocity, acceleration }, holds, .. } => {
-            let plan = sweep::Plan { sweep, drive: *drive, velocity, acceleration, holds };
-            sweep::run(session, &plan, progress)
-        }
-        Task::Motion { over: Over::Time { duration, step, motions, drives }, holds, .. } => {
-            let plan = time::Plan { duration, step, motions, drives: drives.as_deref(), holds };
-            time::run(session, &plan, progress)
-        }
+        Task::Motion { over, holds, .. } => motion::run(session, over, holds, progress),
         Task::Statics { sweep, holds, motions } => statics::run(session, sweep.as_ref(), holds, motions, progress),
+        // Those that ask are run elsewhere.
         Task::Ask(_) | Task::Later => Ok(()),
     }
 }

@@ -6,12 +6,13 @@ use bellcrank_results::{Failure, Reaction, StudyResult};
 
 use super::End;
 use super::animation::Frames;
-use super::explain::{self, Namer};
+use super::course::{Assembly, Course, Laws, Path};
+use super::explain::{self, Namer, Places};
 use super::inputs::{Evaluated, Inputs};
 use super::notes::Notes;
 use super::recorder::Recorder;
 use crate::build::{self, Built};
-use crate::design::{Design, Hold, Quantity, Study, Task};
+use crate::design::{Design, Hold, Study, Task};
 use crate::measure::Measure;
 use crate::model::parameter_row;
 use crate::signals::{Level, View};
@@ -69,10 +70,6 @@ impl<'d> Session<'d> {
         })
     }
 
-    pub(super) fn value(&self, quantity: &Quantity) -> f64 {
-        quantity.eval(&self.study.values)
-    }
-
     pub(super) fn namer(&self) -> Namer<'d> {
         Namer::new(self.design)
     }
@@ -87,33 +84,34 @@ impl<'d> Session<'d> {
         self.built.blueprint.joints.get(c.joint.0)?.start.get(c.index).copied().flatten()
     }
 
-    /// Where coordinates rest, as far as the study says.
-    pub(super) fn held(&self, holds: &[Hold]) -> Vec<(Coordinate, f64)> {
-        let place = |hold: &Hold| match &hold.at {
-            Some(at) => Some((hold.coordinate, self.value(at))),
-            None => self.start(hold.coordinate).map(|start| (hold.coordinate, start)),
-        };
-        holds.iter().filter_map(place).collect()
-    }
-
-    /// Assembles with as much held as can be: first all of `wished`, then only what is `needed`. Starts that the
-    /// file wants held exactly come before what a study would like.
-    pub(super) fn assemble(&mut self, needed: &[(Coordinate, f64)], wished: &[(Coordinate, f64)]) -> Result<(), End> {
-        let exact_starts = self.built.blueprint.joints.iter().any(|joint| joint.at_start);
-        let all: Vec<(Coordinate, f64)> = needed.iter().chain(wished).copied().collect();
-        let first = if exact_starts { needed } else { &all };
-        let assembled = match self.engine.assemble(first) {
-            Err(_) if first.len() > needed.len() => self.engine.assemble(needed),
-            other => other,
-        };
-        match assembled {
-            Ok(assembled) => {
-                self.effort.iterations += assembled.iterations;
-                self.effort.restarts += assembled.restarts;
-                Ok(())
+    /// Assembles the machine where the study begins.
+    pub(super) fn begin(&mut self, path: Path<'d>, holds: &'d [Hold], motions: &[usize]) -> Result<Course<'d>, End> {
+        let design = self.design;
+        let motions = motions.iter().filter_map(|&index| design.motions.get(index)).collect();
+        let mut machine = Assembly { values: &self.study.values, built: &self.built, engine: &mut *self.engine };
+        match Course::begin(&mut machine, path, holds, motions) {
+            Ok(course) => {
+                self.effort.iterations += course.assembled.iterations;
+                self.effort.restarts += course.assembled.restarts;
+                Ok(course)
             }
             Err(error) => Err(self.failed(&error, "before the first position")),
         }
+    }
+
+    /// What the study prescribes along its rows.
+    pub(super) fn laws(&self, course: &Course<'d>) -> Laws<'d> {
+        course.laws(&self.study.values, &self.built.blueprint)
+    }
+
+    /// Places on the axis in words.
+    pub(super) fn places(&self) -> Places<'d> {
+        Places::new(self.design, self.study)
+    }
+
+    /// The signal that the rows are counted by.
+    pub(super) fn axis_name(&self) -> String {
+        self.study.axis().map_or_else(|| "time".to_owned(), |c| self.namer().signal(c))
     }
 
     /// Chooses what is prescribed and what carries efforts.

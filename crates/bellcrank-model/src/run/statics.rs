@@ -4,57 +4,53 @@ use bellcrank_multibody::{Coordinate, Equilibrium};
 use bellcrank_results::Unit;
 
 use super::End;
+use super::course::{Laws, Path, Targets};
 use super::session::Session;
-use super::sweep::position;
-use crate::design::{Hold, Prescribed, Sweep};
-use crate::motion::Running;
+use crate::design::{Hold, Sweep};
 use crate::progress::Progress;
 
-pub(super) fn run(
-    session: &mut Session<'_>,
-    sweep: Option<&Sweep>,
-    holds: &[Hold],
+pub(super) fn run<'d>(
+    session: &mut Session<'d>,
+    sweep: Option<&'d Sweep>,
+    holds: &'d [Hold],
     motions: &[usize],
     progress: &mut dyn Progress,
 ) -> Result<(), End> {
     progress.at(0.0, "assembling");
-    let design = session.design;
-    let mut needed = session.held(holds);
-    let motions: Vec<&Prescribed> = motions.iter().filter_map(|&index| design.motions.get(index)).collect();
-    needed.extend(motions.iter().flat_map(|motion| at_the_beginning(session, motion)));
-    let swept = sweep.map(|sweep| {
-        let from = session.value(&sweep.from);
-        (sweep.coordinate, session.start(sweep.coordinate).unwrap_or(from))
-    });
-    session.assemble(&needed, swept.as_slice())?;
-    // What rests at its start without one rests where assembly put it.
-    let unplaced = holds.iter().map(|hold| hold.coordinate).filter(|c| needed.iter().all(|(held, _)| held != c));
-    let unplaced: Vec<(Coordinate, f64)> = unplaced.map(|c| (c, session.place(c))).collect();
-    needed.extend(unplaced);
-    session.carry(swept.iter().map(|(c, _)| *c).chain(needed.iter().map(|(c, _)| *c)).collect());
-    match sweep {
-        None => once(session, &needed, progress),
-        Some(sweep) => over_positions(session, sweep, &needed, progress),
-    }
-}
-
-/// Where a motion begins.
-fn at_the_beginning(session: &Session<'_>, motion: &Prescribed) -> Vec<(Coordinate, f64)> {
-    let from = motion.coordinates.first().and_then(|&c| session.start(c)).unwrap_or(0.0);
-    let running = Running::new(&motion.law, &session.study.values, from);
-    motion.coordinates.iter().enumerate().map(|(i, &c)| (c, running.at(i, 0.0).value)).collect()
-}
-
-fn once(session: &mut Session<'_>, held: &[(Coordinate, f64)], progress: &mut dyn Progress) -> Result<(), End> {
-    session.expect_rows(1, false)?;
-    progress.at(0.5, "looking for equilibrium");
-    let found = session.equilibrium(held, "")?;
-    session.result.scalars = scalars(&found);
-    if !found.stable {
-        session.result.warnings.push("this equilibrium is not stable: a small push leads away from it".to_owned());
+    let course = session.begin(Path::Rest(sweep), holds, motions)?;
+    session.carry(course.actuation.effort.clone());
+    session.expect_rows(course.rows, false)?;
+    session.result.axis = sweep.map(|_| session.axis_name()).into_iter().collect();
+    let laws: Laws<'_> = session.laws(&course);
+    let mut targets = Targets::default();
+    for row in 0..course.rows {
+        progress.at(row as f64 / course.rows as f64, "looking for equilibrium");
+        if progress.cancelled() {
+            return Err(super::explain::cancelled(row));
+        }
+        let place = laws.axis(row as f64);
+        laws.prescribe(place, &mut targets);
+        let hold: Vec<(Coordinate, f64)> =
+            course.actuation.position.iter().copied().zip(targets.position.iter().copied()).collect();
+        let here = if sweep.is_some() { session.places().at(place) } else { String::new() };
+        let found = session.equilibrium(&hold, &here)?;
+        tell(session, &found, &here);
     }
     progress.at(1.0, "done");
     Ok(())
+}
+
+fn tell(session: &mut Session<'_>, found: &Equilibrium, here: &str) {
+    // The last row's stand.
+    session.result.scalars = scalars(found);
+    match (found.stable, here) {
+        (true, _) => {}
+        (false, "") => {
+            let message = "this equilibrium is not stable: a small push leads away from it";
+            session.result.warnings.push(message.to_owned());
+        }
+        (false, here) => session.notes.add("this equilibrium is not stable", &|| here.to_owned()),
+    }
 }
 
 /// Eigenvalues are per mass of nothing: SI of the coordinates they belong to, which mix lengths and angles.
@@ -66,35 +62,4 @@ fn scalars(found: &Equilibrium) -> Vec<(String, f64, Unit)> {
     let stiffness = found.stiffness.iter().enumerate();
     scalars.extend(stiffness.map(|(i, k)| (format!("equilibrium.stiffness.{i}"), *k, Unit::new("SI", 1.0))));
     scalars
-}
-
-fn over_positions(
-    session: &mut Session<'_>,
-    sweep: &Sweep,
-    held: &[(Coordinate, f64)],
-    progress: &mut dyn Progress,
-) -> Result<(), End> {
-    session.expect_rows(sweep.points, false)?;
-    let namer = session.namer();
-    session.result.axis = vec![namer.signal(sweep.coordinate)];
-    let (from, to) = (session.value(&sweep.from), session.value(&sweep.to));
-    let mut hold = vec![(sweep.coordinate, from)];
-    hold.extend_from_slice(held);
-    for row in 0..sweep.points {
-        progress.at(row as f64 / sweep.points as f64, "looking for equilibrium");
-        if progress.cancelled() {
-            return Err(super::explain::cancelled(row));
-        }
-        hold[0].1 = position(from, to, row, sweep.points - 1);
-        let here = format!("{} = {}", namer.signal(sweep.coordinate), namer.place(sweep.coordinate, hold[0].1));
-        let found = session.equilibrium(&hold, &here)?;
-        if !found.stable {
-            session.notes.add("this equilibrium is not stable", &|| here.clone());
-        }
-        if row + 1 == sweep.points {
-            session.result.scalars = scalars(&found);
-        }
-    }
-    progress.at(1.0, "done");
-    Ok(())
 }

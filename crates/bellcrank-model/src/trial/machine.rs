@@ -7,7 +7,7 @@ use super::asked::Asked;
 use super::extremes::{Peak, climb, peaks};
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Over, ScopeId, Study, Task, Values};
-use crate::run::{Assembly, Course, Evaluated, Inputs, Laws, Namer, Path, Targets, failure};
+use crate::run::{Assembly, Course, Evaluated, Inputs, Laws, Namer, Path, Places, Targets, failure};
 use crate::signals::{Level, Probe, Signal, View};
 
 /// Why a design has no responses.
@@ -325,11 +325,7 @@ impl<'d> Trial<'d> {
 
     /// `joint.B.position = 12 deg`.
     pub(crate) fn named_place(&self, place: f64) -> String {
-        let namer = Namer::new(self.design);
-        match self.of.axis() {
-            Some(c) => format!("{} = {}", namer.signal(c), namer.place(c, place)),
-            None => namer.time(place),
-        }
+        Places::new(self.design, self.of).at(place)
     }
 
     pub(super) fn failed(&self, error: &MechanismError, place: &str) -> Undefined {
