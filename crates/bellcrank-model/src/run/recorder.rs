@@ -1,13 +1,13 @@
 //! The table of a study: room for all rows is made beforehand.
 
-use std::f64::consts::TAU;
 use std::ops::Range;
 
 use bellcrank_multibody::Coordinate;
 use bellcrank_results::{Column, Table};
 
 use crate::design::Design;
-use crate::signals::{Level, MOST, Source, View};
+use crate::signals::{Level, MOST, PLANAR_ANGLE, Source, View};
+use crate::trial::running_on;
 
 /// Signals of one source that are recorded.
 struct Group {
@@ -26,9 +26,6 @@ pub(super) struct Recorder {
     columns: Vec<Column>,
     forces: bool,
 }
-
-/// The place of the angle among the signals of a body in the plane.
-const PLANAR_ANGLE: usize = 6;
 
 impl Recorder {
     /// For all signals of the model; drives for the coordinates that carry efforts.
@@ -98,13 +95,5 @@ impl Recorder {
 
     pub(super) fn table(self) -> Table {
         Table { columns: self.columns }
-    }
-}
-
-/// The angle nearest to the one before, whole turns added.
-fn running_on(before: Option<f64>, angle: f64) -> f64 {
-    match before {
-        Some(before) if before.is_finite() => angle + TAU * ((before - angle) / TAU).round(),
-        _ => angle,
     }
 }

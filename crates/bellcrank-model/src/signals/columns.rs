@@ -85,6 +85,9 @@ const fn moment(name: &'static str) -> Part {
     (name, Measure::Moment, Level::Force)
 }
 
+/// The place of the angle among the signals of a body in the plane.
+pub(crate) const PLANAR_ANGLE: usize = 6;
+
 /// Components of a reaction, as in [`bellcrank_results::Reaction::unique`], with their place in fx .. mz.
 pub(crate) fn reaction_components(planar: bool) -> &'static [(&'static str, usize)] {
     if planar {

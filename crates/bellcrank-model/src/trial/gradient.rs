@@ -155,6 +155,9 @@ impl<'d> Trial<'d> {
         if let Some(readings) = engine.derivatives() {
             let catalogue = &self.design.catalogue;
             probe.read(&View { readings, catalogue, geometry: &built.geometry, efforts, level: self.level });
+            for (signal, angle) in self.turned() {
+                probe.values[signal] = Exact(probe.values[signal].0.with_value(angle));
+            }
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ use bellcrank_multibody::{Coordinate, Engine, MechanismError};
 
 use super::asked::Asked;
 use super::extremes::{Peak, climb, peaks};
+use super::turning::{Turning, turnings};
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Over, ScopeId, Study, Task, Values};
 use crate::run::{Assembly, Course, Evaluated, Inputs, Laws, Namer, Path, Places, Targets, failure};
@@ -56,6 +57,9 @@ pub(crate) struct Trial<'d> {
     pub(super) tangents: Option<Box<super::gradient::Tangents<'d>>>,
     /// What the parameters were fixed to at the last run.
     pub(super) fixed: Vec<(usize, f64)>,
+    /// The numbers are those of `fixed`.
+    known: bool,
+    turnings: Vec<Turning>,
     /// Positions solved so far.
     pub(crate) positions: usize,
 }
@@ -74,7 +78,8 @@ impl<'d> Trial<'d> {
         let least = if matches!(of.task, Task::Statics { .. }) { Level::Force } else { Level::Position };
         let level = asked.level(signals, level).max(least);
         let values = Values::new(&design.scopes, parameters);
-        let probe = Probe::new(signals, &asked.signals());
+        let used = asked.signals();
+        let probe = Probe::new(signals, &used);
         let curves = asked.curves.len();
         Trial {
             design,
@@ -98,6 +103,8 @@ impl<'d> Trial<'d> {
             ambiguous: Vec::new(),
             tangents: None,
             fixed: Vec::new(),
+            known: false,
+            turnings: turnings(design, signals, &used),
             positions: 0,
         }
     }
@@ -108,6 +115,10 @@ impl<'d> Trial<'d> {
     /// # Errors
     /// When the numbers make no machine, it cannot be assembled or moved, or a curve is not finite somewhere.
     pub(crate) fn run(&mut self, fixed: &[(usize, f64)]) -> Result<&[f64], Undefined> {
+        if self.known && self.fixed == fixed {
+            return Ok(&self.numbers);
+        }
+        self.known = false;
         self.fixed.clear();
         self.fixed.extend_from_slice(fixed);
         self.begin()?;
@@ -116,6 +127,7 @@ impl<'d> Trial<'d> {
             self.reduced[curve] = self.reduce(curve)?;
         }
         self.answer()?;
+        self.known = true;
         Ok(&self.numbers)
     }
 
@@ -159,11 +171,13 @@ impl<'d> Trial<'d> {
     /// All curves at all rows.
     fn sample(&mut self) -> Result<(), Undefined> {
         self.samples.iter_mut().for_each(Vec::clear);
+        self.turnings.iter_mut().for_each(|turning| turning.rows.clear());
         if self.asked.curves.is_empty() {
             return Ok(());
         }
         for row in 0..self.rows() {
             self.solve(row as f64)?;
+            self.turnings.iter_mut().for_each(|turning| turning.rows.push(self.probe.values[turning.signal]));
             for curve in 0..self.asked.curves.len() {
                 let value = self.read(curve, row as f64)?;
                 self.samples[curve].push(value);
@@ -201,11 +215,11 @@ impl<'d> Trial<'d> {
             };
             solved.map_err(|error| self.failed(&error, &self.named_place(place)))?;
         }
-        self.read_signals();
+        self.read_signals(place);
         Ok(())
     }
 
-    fn read_signals(&mut self) {
+    fn read_signals(&mut self, place: f64) {
         let Some(engine) = self.engine.as_deref() else { return };
         let efforts = self.course.as_ref().map_or(&[][..], |course| &course.actuation.effort);
         let view = View {
@@ -216,6 +230,18 @@ impl<'d> Trial<'d> {
             level: self.level,
         };
         self.probe.read(&view);
+        if !self.turnings.is_empty() {
+            let row = self.laws.as_ref().map_or(0.0, |laws| laws.row_of(place));
+            for turning in &self.turnings {
+                let angle = &mut self.probe.values[turning.signal];
+                *angle = turning.near(row, *angle);
+            }
+        }
+    }
+
+    /// Signals that differ from what a position alone says, and their values at the position solved last.
+    pub(super) fn turned(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.turnings.iter().map(|turning| (turning.signal, self.probe.values[turning.signal]))
     }
 
     /// The value of a curve at the position solved last.

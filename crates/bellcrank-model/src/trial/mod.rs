@@ -8,10 +8,12 @@ mod asked;
 mod extremes;
 mod gradient;
 mod machine;
+mod turning;
 
 pub(crate) use asked::Asked;
 pub(crate) use gradient::{Derived, Piece};
 pub(crate) use machine::{Trial, Undefined};
+pub(crate) use turning::running_on;
 
 #[cfg(test)]
 mod tests;

@@ -147,3 +147,23 @@ fn derivatives_of_responses_on_every_shipped_machine() {
     }
     assert!(compared > 10 * uncertain && compared > 400, "{compared} compared, {uncertain} uncertain");
 }
+
+#[test]
+fn the_angle_of_a_turning_body_runs_on() {
+    let model = machine("four-bar/four-bar.toml");
+    let turns =
+        |s: &&Study| matches!(&s.task, crate::design::Task::Motion { over: crate::design::Over::Positions { .. }, .. });
+    let turn = model.study_list().iter().find(turns).expect("a sweep");
+    let crank = model.design().bodies.iter().skip(1).map(|body| format!("range(body.{}.angle)", body.name));
+    let texts: Vec<String> = crank.chain(["range(joint.A.position)".to_owned()]).take(1).collect();
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    let (asked, signals) = asked(&model, turn, &texts);
+    let mut trial = Trial::new(model.design(), turn, &turn.parameters, &signals, asked);
+    let range = trial.run(&[]).expect("runs")[0];
+    let table = crate::run::run(model.design(), turn, &mut crate::Silent).table;
+    let name = texts[0].trim_start_matches("range(").trim_end_matches(')');
+    let values = &table.column(name).expect("a column").values;
+    let wanted = values.iter().fold(f64::MIN, |m, x| m.max(*x)) - values.iter().fold(f64::MAX, |m, x| m.min(*x));
+    assert!(wanted > 3.2, "a crank that turns: {wanted}");
+    assert!((range - wanted).abs() < 1e-3 * wanted && range >= wanted - 1e-12, "{range} and {wanted}");
+}
