@@ -8,6 +8,10 @@ use crate::design::Sensitivity;
 use crate::progress::Progress;
 use crate::trial::{Asked, Derived, Trial, Undefined};
 
+/// A change of the parameter by its own size that changes the response by less than this part of it does nothing.
+const ROUNDING: f64 = 1e-13;
+const NONE: &str = "no effect";
+
 pub(super) fn run(
     asking: &Asking<'_>,
     question: &Sensitivity,
@@ -58,8 +62,12 @@ pub(super) fn run(
 /// What a reader should know about one derivative.
 fn note(asking: &Asking<'_>, trial: &Trial<'_>, derived: &Derived, place: usize, index: usize) -> String {
     let derivative = derived.active.gradient[place];
+    let reach = derivative * asking.value(index);
     if derivative == 0.0 {
-        return "no effect".to_owned();
+        return NONE.to_owned();
+    }
+    if reach.abs() <= ROUNDING * derived.active.value.abs() {
+        return format!("{NONE}: the derivative is rounding");
     }
     if derivative.is_nan() && trial.is_ambiguous(0) {
         return "not defined: equilibrium alone does not determine this reaction".to_owned();
@@ -83,7 +91,7 @@ fn follows(asking: &Asking<'_>, index: usize) -> String {
 }
 
 fn warnings(found: &Found) -> Vec<String> {
-    let flat = found.parameters.iter().all(|p| p.derivative == 0.0) && !found.parameters.is_empty();
+    let flat = found.parameters.iter().all(|p| p.note.starts_with(NONE)) && !found.parameters.is_empty();
     let mut warnings = Vec::new();
     if flat {
         warnings.push(format!("`{}` does not depend on any of these parameters", found.response));

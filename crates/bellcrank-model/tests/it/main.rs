@@ -1,5 +1,6 @@
 //! The crate from outside: diagnostics, runs, random files.
 
+mod asks;
 mod cases;
 mod files;
 mod format;
