@@ -11,8 +11,6 @@ mod lock;
 mod plan;
 mod stored;
 mod tally;
-#[cfg(test)]
-mod tests;
 mod worker;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

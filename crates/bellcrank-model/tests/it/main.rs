@@ -1,6 +1,7 @@
 //! The crate from outside: diagnostics, runs, random files.
 
 mod cases;
+mod designs;
 mod files;
 mod format;
 mod lift;

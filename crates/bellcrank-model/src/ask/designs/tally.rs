@@ -205,7 +205,7 @@ fn without_numbers(reason: &str) -> String {
     let mut inside = false;
     for c in reason.chars() {
         // A digit behind a letter belongs to a name.
-        let begins = c.is_ascii_digit() && !(last.is_alphanumeric() || last == '_');
+        let begins = !inside && c.is_ascii_digit() && !(last.is_alphanumeric() || last == '_');
         inside = if inside { c.is_ascii_digit() || matches!(c, '.' | 'e' | '+' | '-') } else { begins };
         if begins {
             if kind.ends_with('-') {
