@@ -39,7 +39,8 @@ like = "designs"
 table = "tried.csv"
 
 [studies.torn]
-like = "designs"
+kind = "sweep"
+of = "few"
 vary = { l42 = ["100 mm", "200 mm"], l62 = ["200 mm", "0 mm"] }
 responses = ["max(abs(joint.A.reaction.fx))", "1 m - l62"]
 "#;
@@ -263,12 +264,12 @@ fn a_stopped_run_keeps_its_rows_and_says_how_to_go_on() {
     let mut impatient = Impatient(std::cell::Cell::new(100));
     let stopped = model.run_all(&["net".to_owned()], &options, &mut impatient).unwrap().studies.remove(0);
     let failure = stopped.failure.as_ref().unwrap();
-    assert!(failure.message.contains("after 98 of 300 designs, which are kept"), "{failure:?}");
+    assert!(failure.message.contains("after 99 of 300 designs, which are kept"), "{failure:?}");
     assert!(failure.hints[0].contains("the same command goes on"), "{failure:?}");
-    assert_eq!((csv(&folder, "net").lines().count(), found(&stopped).done), (99, 98));
+    assert_eq!((csv(&folder, "net").lines().count(), found(&stopped).done), (100, 99));
     assert_eq!(found(&stopped).files, ["designs.csv"]);
     let result = run(&model, "net", &folder, threads(1));
-    assert_eq!((found(&result).resumed, found(&result).done), (98, 300));
+    assert_eq!((found(&result).resumed, found(&result).done), (99, 300));
     let fresh = run(&model, "net", &folder.join("other"), threads(1));
     assert_eq!(told(&result), told(&fresh));
     // What is done is computed anew, not added to.
@@ -302,7 +303,10 @@ fn a_changed_model_is_refused_and_the_change_is_told() {
             changed("l61 = \"l32\"", "l61 = \"l32 + 0 mm\""),
             "parameter `l61` was `l32` (160 mm) and is `l32 + 0 mm` (160 mm)",
         ),
-        (changed("[bodies.link2]", "[bodies.link2]\nmass = \"1 kg\""), "`bodies.link2` changed"),
+        (
+            changed("[bodies.link2]", "[bodies.link2]\nmass = \"1 kg\"\ninertia = \"1 kg*m^2\""),
+            "`bodies.link2` changed",
+        ),
         (changed("to = \"30 deg\", points = 9", "to = \"30 deg\", points = 10"), "`studies.few` changed"),
         (changed("peak = \"max(abs(", "peak = \"max(-(-abs("), "response `peak` was"),
         (changed("l31 = 4", "l31 = 5"), "the range of `l31` was 600 mm to 800 mm in 4 levels and is"),

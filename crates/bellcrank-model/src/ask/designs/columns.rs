@@ -50,3 +50,20 @@ impl Columns {
         std::iter::once(design).chain(self.all.iter().map(number)).collect()
     }
 }
+
+/// A number that somebody gave, in its unit: 950 mm are 0.95 m, and not 949.9999999999999 mm.
+pub(super) fn tidy(shown: f64) -> f64 {
+    format!("{shown:.14e}").parse().unwrap_or(shown)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tidy;
+
+    #[test]
+    fn given_numbers_are_shown_as_given() {
+        assert_eq!((0.95 / 1e-3 == 950.0, tidy(0.95 / 1e-3)), (false, 950.0));
+        assert!(tidy(f64::NAN).is_nan());
+        assert_eq!([0.0, 1e300, -2.5e-7].map(tidy), [0.0, 1e300, -2.5e-7]);
+    }
+}

@@ -5,7 +5,7 @@ use bellcrank_results::Unit;
 use serde_json::{Map, Value};
 
 use super::super::Asking;
-use super::columns::Columns;
+use super::columns::{Columns, tidy};
 use super::plan::{Plan, Span};
 use crate::design::{Designs, Law, Method, Study};
 use crate::provenance::Fingerprint;
@@ -14,6 +14,8 @@ use crate::provenance::Fingerprint;
 const FORMAT: &str = "1";
 /// Changes that are named.
 const TOLD: usize = 4;
+/// What changes along with other things.
+const CONSEQUENCES: [&str; 2] = ["the last digits of the parameters", "the order of the parts of the model"];
 /// What stands before a text that says nothing to people.
 const HASH: char = '#';
 
@@ -68,12 +70,15 @@ impl Inputs {
 
     fn parameters(&mut self, asking: &Asking<'_>) {
         let set = &asking.study.parameters;
+        let mut all = Fingerprint::default();
+        set.values().iter().for_each(|value| all.bytes(value.to_bits().to_le_bytes()));
         for (index, parameter) in set.all().iter().enumerate() {
             let value = exact(set.values()[index], &asking.parameter_unit(index));
             let plain = parameter.expression.parameters().is_empty();
             let text = if plain { value } else { format!("`{}` ({value})", parameter.written) };
             self.add(&format!("parameter `{}`", parameter.name), text);
         }
+        self.hashed(CONSEQUENCES[0], all.value());
     }
 
     /// Parts of the files. Of the studies only the one that is asked counts, and what it is like.
@@ -88,7 +93,7 @@ impl Inputs {
             order.words("section", &section.name);
             self.hashed(&format!("`{}`", section.name), section.fingerprint);
         }
-        self.hashed("the order of the parts of the model", order.value());
+        self.hashed(CONSEQUENCES[1], order.value());
     }
 
     /// Motions that stand in other files.
@@ -119,6 +124,12 @@ impl Inputs {
         }
         let known = |name: &String| self.0.iter().any(|(known, _)| known == name);
         changes.extend(before.keys().filter(|name| !known(name)).map(|name| format!("{name} is gone")));
+        // Digits change with the numbers, and the order with the parts; alone they are news.
+        if changes.len() > 1 {
+            let follows = |change: &String| CONSEQUENCES.iter().any(|name| change.starts_with(name));
+            let alone = changes.iter().all(follows);
+            changes.retain(|change| alone || !follows(change));
+        }
         let more = changes.len().saturating_sub(TOLD);
         changes.truncate(TOLD);
         if more > 0 {
@@ -153,8 +164,8 @@ fn range(span: &Span, unit: &Unit, grid: bool) -> String {
     }
 }
 
-/// All digits of a number in its unit.
+/// A number in its unit, to 15 digits.
 fn exact(si: f64, unit: &Unit) -> String {
-    let number = unit.show(si);
+    let number = tidy(unit.show(si));
     if unit.symbol.is_empty() { number.to_string() } else { format!("{number} {}", unit.symbol) }
 }

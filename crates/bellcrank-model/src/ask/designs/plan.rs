@@ -6,13 +6,17 @@ use bellcrank_doc::Expression;
 use bellcrank_study::sampling::{Grid, LatinHypercube, Sobol};
 
 use super::super::Asking;
+use super::columns::tidy;
 use crate::design::{Designs, Levels, Method, Varied};
 use crate::trial::Undefined;
 
-/// The values that one parameter takes, SI, and the size of the unit in which they are shown.
+/// The values that one parameter takes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Axis {
     pub(super) span: Span,
+    /// Both ends, or all values, as they are shown.
+    shown: Vec<f64>,
+    /// SI value of the unit in which they are shown.
     factor: f64,
 }
 
@@ -111,28 +115,26 @@ impl Axis {
         match &self.span {
             Span::Range { levels: 1, .. } => self.at(0.5),
             Span::Range { levels, .. } => self.at(level as f64 / (levels - 1) as f64),
-            Span::List(values) => self.value(values[level]),
+            Span::List(values) => Value { si: values[level], shown: self.shown[level] },
         }
     }
 
     /// The value at a share (0 to 1) of the way. Between ends that are round to people, levels are, too.
     fn at(&self, share: f64) -> Value {
         match &self.span {
-            Span::Range { from, .. } if share == 0.0 => self.value(*from),
-            Span::Range { to, .. } if share == 1.0 => self.value(*to),
-            Span::Range { from, to, .. } => {
-                let shown = from / self.factor * (1.0 - share) + to / self.factor * share;
+            Span::Range { from, .. } if share == 0.0 => Value { si: *from, shown: self.shown[0] },
+            Span::Range { to, .. } if share == 1.0 => Value { si: *to, shown: self.shown[1] },
+            Span::Range { .. } => {
+                let shown = self.shown[0] * (1.0 - share) + self.shown[1] * share;
                 Value { si: shown * self.factor, shown }
             }
-            Span::List(values) => {
-                let place = (share * values.len() as f64) as usize;
-                self.value(values[place.min(values.len() - 1)])
-            }
+            Span::List(values) => self.level(((share * values.len() as f64) as usize).min(values.len() - 1)),
         }
     }
 
+    /// A value from a table.
     fn value(&self, si: f64) -> Value {
-        Value { si, shown: si / self.factor }
+        Value { si, shown: tidy(si / self.factor) }
     }
 }
 
@@ -149,7 +151,13 @@ fn axis(asking: &Asking<'_>, varied: &Varied) -> Axis {
         }
         Levels::List(all) => Span::List(all.iter().map(|value| value.eval(values, &[])).collect()),
     };
-    Axis { span, factor: asking.parameter_unit(varied.parameter).factor }
+    let factor = asking.parameter_unit(varied.parameter).factor;
+    let given = match &span {
+        Span::Range { from, to, .. } => &[*from, *to][..],
+        Span::List(values) => values,
+    };
+    let shown = given.iter().map(|si| tidy(si / factor)).collect();
+    Axis { span, shown, factor }
 }
 
 fn refused(message: &str) -> Undefined {
