@@ -89,7 +89,7 @@ fn a_killed_sweep_goes_on_to_the_same_files() {
     let output = sandbox.run(&["run", "m.toml", "many", "--json"]);
     assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
     let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let found = &printed["studies"]["many"]["findings"];
+    let found = &printed["studies"]["many"];
     assert!(found["resumed"].as_u64().is_some_and(|rows| (1..30_000).contains(&rows)), "{found:#}");
     assert_eq!(found["done"], 30_000);
     for file in ["designs.csv", "designs.parquet", "designs.state.json"] {
