@@ -32,6 +32,7 @@ mod signals;
 mod starter;
 mod trial;
 pub mod verify;
+mod written;
 
 pub use check::{BodyFact, Check, JointFact};
 pub use error::RunError;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use bellcrank_doc::{ParameterSet, nearest};
 use bellcrank_multibody::{Blueprint, Engine};
-use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult};
+use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult, file_stems};
 
 use crate::build::{self, Built};
 use crate::design::{Design, Study, Task, Values};
@@ -188,12 +188,14 @@ impl Model {
         }
         let count = chosen.len();
         let mut results = Vec::with_capacity(count);
-        for (index, study) in chosen.into_iter().enumerate() {
+        let folders = file_stems(chosen.iter().map(|study| study.name.as_str()));
+        for (index, (study, folder)) in chosen.into_iter().zip(folders).enumerate() {
             if progress.cancelled() {
                 break;
             }
             let mut share = Share { whole: progress, study: &study.name, index, count };
-            results.push(self.execute(study, options, &mut share));
+            let own = RunOptions { folder: options.folder.as_ref().map(|all| all.join(folder)), ..options.clone() };
+            results.push(self.execute(study, &own, &mut share));
         }
         Ok(self.result(results, warnings))
     }

@@ -5,10 +5,9 @@ mod optimization;
 mod sensitivity;
 mod tolerance;
 
-use bellcrank_results::{Column, Findings, StudyResult};
+use bellcrank_results::{Column, Findings, StudyResult, file_stems};
 
 use crate::findings::{drives, family, finding, owner, strongest};
-use crate::folders::distinct;
 use crate::plot::{Axis, Chart, Curve, Hodograph};
 
 /// A figure of a study, ready to be written.
@@ -51,7 +50,7 @@ pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
         figures.extend(charts(study));
         figures.extend(hodographs(study));
     }
-    let stems = distinct(figures.iter().map(|figure| figure.stem.as_str()));
+    let stems = file_stems(figures.iter().map(|figure| figure.stem.as_str()));
     for (figure, stem) in figures.iter_mut().zip(stems) {
         figure.stem = stem;
     }

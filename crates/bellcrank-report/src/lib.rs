@@ -7,7 +7,6 @@
 mod error;
 mod figures;
 mod findings;
-mod folders;
 mod html;
 mod number;
 mod plot;
@@ -15,9 +14,9 @@ mod terminal;
 mod told;
 mod write;
 
+pub use bellcrank_results::study_folders;
 pub use error::ReportError;
 pub use figures::{FigureFile, figures};
-pub use folders::study_folders;
 pub use html::render_html;
 pub use terminal::{Style, terminal_summary};
 pub use write::{write_report, write_run};

@@ -63,6 +63,12 @@ pub(crate) struct RunArgs {
     /// Where to write; `results/<model name>` unless given.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Threads for studies over many designs; one a core unless given. Results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// Begin interrupted sweeps anew, instead of going on behind their last design.
+    #[arg(long)]
+    pub(crate) fresh: bool,
     /// Print the summaries as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,

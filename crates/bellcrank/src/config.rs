@@ -29,6 +29,9 @@ pub(crate) struct RunConfig {
     /// `None` is the default, which depends on the model's name.
     pub(crate) out: Option<PathBuf>,
     pub(crate) printed: Printed,
+    /// 0 is one a core.
+    pub(crate) threads: usize,
+    pub(crate) fresh: bool,
 }
 
 impl RunConfig {
@@ -46,6 +49,8 @@ impl RunConfig {
             settings,
             out: args.out.clone(),
             printed,
+            threads: args.threads.map_or(0, usize::from),
+            fresh: args.fresh,
         })
     }
 }

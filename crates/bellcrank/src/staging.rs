@@ -9,6 +9,9 @@ use bellcrank_results::RunResult;
 
 use crate::exit::Refusal;
 
+/// What the name of a room begins with.
+const ROOM: &str = ".bellcrank-";
+
 /// A result directory that can be written, with a room in it for files that are not finished.
 #[derive(Debug)]
 pub(crate) struct Staging {
@@ -19,7 +22,8 @@ pub(crate) struct Staging {
 impl Staging {
     /// Makes the directory. Asked before a study is run, so that nothing is computed in vain.
     pub(crate) fn prepare(out: &Path) -> Result<Self, Refusal> {
-        let room = out.join(format!(".bellcrank-{}", std::process::id()));
+        sweep_out(out);
+        let room = out.join(format!("{ROOM}{}", std::process::id()));
         match fs::create_dir_all(&room) {
             Ok(()) => Ok(Self { out: out.to_owned(), room }),
             Err(error) => Err(unwritable(out, &error)),
@@ -48,6 +52,15 @@ impl Drop for Staging {
     fn drop(&mut self) {
         // What is left here is of no use to anybody, and nobody can be told.
         let _ = fs::remove_dir_all(&self.room);
+    }
+}
+
+/// Rooms of runs that were killed. Only empty ones go; a run that still needs its room makes it again.
+fn sweep_out(out: &Path) {
+    for entry in fs::read_dir(out).into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().starts_with(ROOM) {
+            let _ = fs::remove_dir(entry.path());
+        }
     }
 }
 

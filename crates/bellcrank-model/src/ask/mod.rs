@@ -3,6 +3,7 @@
 
 mod active;
 mod asking;
+mod designs;
 mod optimize;
 mod sensitivity;
 
@@ -47,9 +48,8 @@ fn answer(asking: &Asking<'_>, result: &mut StudyResult, progress: &mut dyn Prog
     match &asking.ask.question {
         Question::Sensitivity(question) => sensitivity::run(asking, question, result, progress),
         Question::Optimize(question) => optimize::run(asking, question, result, progress),
-        Question::Designs(_) | Question::Tolerance(_) => {
-            Err(Undefined { message: "this kind is not run yet".to_owned(), hints: Vec::new() })
-        }
+        Question::Designs(question) => designs::run(asking, question, result, progress),
+        Question::Tolerance(_) => Err(Undefined { message: "this kind is not run yet".to_owned(), hints: Vec::new() }),
     }
 }
 

@@ -99,6 +99,18 @@ pub(crate) enum Method {
     Table,
 }
 
+impl Method {
+    /// As in the file.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Method::Grid => "grid",
+            Method::LatinHypercube => "lhs",
+            Method::Sobol => "sobol",
+            Method::Table => "table",
+        }
+    }
+}
+
 /// Responses over many designs.
 #[derive(Clone, Debug)]
 pub(crate) struct Designs {

@@ -40,6 +40,8 @@ pub(crate) struct Design {
     pub(crate) catalogue: Catalogue,
     /// Signals that force expressions use: places in the catalogue, in the order of their indices.
     pub(crate) input_signals: Vec<crate::signals::Signal>,
+    /// What the files say, part by part.
+    pub(crate) written: Vec<crate::written::Section>,
 }
 
 /// A body; the first one is the ground.

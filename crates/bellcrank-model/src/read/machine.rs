@@ -9,6 +9,7 @@ use crate::keyed::Keyed;
 use crate::measure::{DisplayUnits, Motion};
 use crate::names::Index;
 use crate::schema::MODEL;
+use crate::written::sections;
 
 /// Bodies and joints by name.
 #[derive(Debug, Default)]
@@ -188,6 +189,7 @@ pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Di
         units: head.units,
         catalogue: forces.catalogue,
         scopes,
+        written: sections(&parts),
     };
     Some(ReadModel { title: head.title, design, studies })
 }

@@ -131,6 +131,11 @@ impl<'d> Trial<'d> {
         Ok(&self.numbers)
     }
 
+    /// The next design is built from nothing: what was chosen at designs before it has no part in it.
+    pub(crate) fn forget(&mut self) {
+        self.engine = None;
+    }
+
     /// Numbers, machine, assembly.
     fn begin(&mut self) -> Result<(), Undefined> {
         self.values.update(&self.design.scopes, self.parameters, &self.fixed);

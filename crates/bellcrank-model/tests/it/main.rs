@@ -2,6 +2,7 @@
 
 mod asks;
 mod cases;
+mod designs;
 mod files;
 mod format;
 mod lift;

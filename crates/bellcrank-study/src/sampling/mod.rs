@@ -14,6 +14,6 @@ mod sobol;
 pub use distribution::Distribution;
 pub use grid::Grid;
 pub use hypercube::LatinHypercube;
-pub use parallel::for_each_ordered;
+pub use parallel::{for_each_in_chunks, for_each_ordered};
 pub use random::{mix, random_point, unit};
 pub use sobol::{Sobol, SobolError};

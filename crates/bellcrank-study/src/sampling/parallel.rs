@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-/// Rows a thread computes at a time.
+/// Rows a thread computes at a time, unless said otherwise.
 const CHUNK: u64 = 64;
 /// Chunks that may wait for delivery, for each thread.
 const AHEAD: u64 = 4;
@@ -26,18 +26,37 @@ pub fn for_each_ordered<S, T: Send>(
     cancel: &AtomicBool,
     worker: impl Fn() -> S + Sync,
     evaluate: impl Fn(&mut S, u64) -> T + Sync,
+    sink: impl FnMut(u64, T) -> bool,
+) -> u64 {
+    for_each_in_chunks(rows, threads, CHUNK, cancel, worker, evaluate, sink)
+}
+
+/// As [`for_each_ordered`], with so many rows in a chunk (zero counts as one): a thread delivers them together, so that rows
+/// that take long come in smaller chunks. The rows are the same for any chunk.
+///
+/// # Panics
+///
+/// As [`for_each_ordered`].
+pub fn for_each_in_chunks<S, T: Send>(
+    rows: Range<u64>,
+    threads: usize,
+    chunk: u64,
+    cancel: &AtomicBool,
+    worker: impl Fn() -> S + Sync,
+    evaluate: impl Fn(&mut S, u64) -> T + Sync,
     mut sink: impl FnMut(u64, T) -> bool,
 ) -> u64 {
     if threads <= 1 {
         return alone(rows, cancel, &mut worker(), evaluate, sink);
     }
-    let desk = Desk::new(&rows, threads);
+    let size = chunk.max(1);
+    let desk = Desk::new(&rows, threads, size);
     let work = || {
         let outcome = catch_unwind(AssertUnwindSafe(|| {
             let mut state = worker();
             while let Some(chunk) = desk.next_chunk(cancel) {
-                let from = rows.start + chunk * CHUNK;
-                let to = from.saturating_add(CHUNK).min(rows.end);
+                let from = rows.start + chunk * size;
+                let to = from.saturating_add(size).min(rows.end);
                 desk.put(chunk, (from..to).map(|row| evaluate(&mut state, row)).collect());
             }
         }));
@@ -113,8 +132,8 @@ struct Shared<T> {
 }
 
 impl<T> Desk<T> {
-    fn new(rows: &Range<u64>, threads: usize) -> Self {
-        let chunks = rows.end.saturating_sub(rows.start).div_ceil(CHUNK);
+    fn new(rows: &Range<u64>, threads: usize, chunk: u64) -> Self {
+        let chunks = rows.end.saturating_sub(rows.start).div_ceil(chunk);
         let ahead = AHEAD * threads as u64;
         let waiting = (0..ahead).map(|_| None).collect();
         let shared = Shared { next: 0, wanted: 0, waiting, working: threads, stopped: false, panic: None };

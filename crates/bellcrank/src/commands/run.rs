@@ -22,7 +22,7 @@ pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal
     let out = config.out.clone().unwrap_or_else(|| default_out(&model));
     let interrupt = Interrupt::listen();
     let staging = Staging::prepare(&out)?;
-    let result = compute(&model, config, interrupt.clone())?;
+    let result = compute(&model, config, &out, interrupt.clone())?;
     let files = staging.publish(&result)?;
     tell(&result, &out, files, config.printed, console)?;
     Ok(exit(&result, &interrupt))
@@ -64,9 +64,10 @@ fn refusal(error: RunError) -> Refusal {
     Refusal { exit: Exit::CommandLine, message: error.to_string(), hints: error.hints() }
 }
 
-fn compute(model: &Model, config: &RunConfig, interrupt: Interrupt) -> Result<RunResult, Refusal> {
+fn compute(model: &Model, config: &RunConfig, out: &Path, interrupt: Interrupt) -> Result<RunResult, Refusal> {
     let mut watch = Watch::new(interrupt, config.printed);
-    let result = model.run_all(&config.studies, &RunOptions::default(), &mut watch);
+    let options = RunOptions { threads: config.threads, folder: Some(out.to_owned()), fresh: config.fresh };
+    let result = model.run_all(&config.studies, &options, &mut watch);
     watch.finish();
     result.map_err(refusal)
 }

@@ -7,4 +7,5 @@ mod other;
 mod run;
 mod sandbox;
 mod snapshot;
+mod sweep;
 mod wrong;
