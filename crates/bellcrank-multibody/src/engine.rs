@@ -234,6 +234,9 @@ pub trait Engine: Readings<f64> + Send {
     fn move_to(&mut self, time: f64, targets: &[f64]) -> Result<Moved, MechanismError>;
     /// Velocities and accelerations from those of the rate coordinates (SI).
     fn set_rates(&mut self, velocity: &[f64], acceleration: &[f64]) -> Result<Moved, MechanismError>;
+    /// From now on [`Engine::solve_forces`] finds the drive efforts, and reactions only as far as they come along:
+    /// [`Readings::reaction`] has no meaning then.
+    fn only_drives(&mut self, only: bool);
     /// Drive efforts and reactions. `inputs` is asked once, after the rates are known, for the values of
     /// [`crate::Value::Input`].
     fn solve_forces(&mut self, inputs: Inputs<'_, f64>) -> Result<(), MechanismError>;

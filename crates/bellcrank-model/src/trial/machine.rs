@@ -9,7 +9,7 @@ use super::turning::{Turning, turnings};
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Over, ScopeId, Study, Task, Values};
 use crate::run::{Assembly, Course, Evaluated, Inputs, Laws, Namer, Path, Places, Targets, failure};
-use crate::signals::{Level, Probe, Signal, View};
+use crate::signals::{Level, Probe, Signal, Source, View};
 
 /// Why a design has no responses.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +57,8 @@ pub(crate) struct Trial<'d> {
     pub(super) tangents: Option<Box<super::gradient::Tangents<'d>>>,
     /// What the parameters were fixed to at the last run.
     pub(super) fixed: Vec<(usize, f64)>,
+    /// Reactions of joints are asked for.
+    reactions: bool,
     /// The numbers are those of `fixed`.
     known: bool,
     turnings: Vec<Turning>,
@@ -103,6 +105,7 @@ impl<'d> Trial<'d> {
             ambiguous: Vec::new(),
             tangents: None,
             fixed: Vec::new(),
+            reactions: used.iter().any(|&i| matches!(signals.get(i).map(|s| s.source), Some(Source::Reaction(_)))),
             known: false,
             turnings: turnings(design, signals, &used),
             positions: 0,
@@ -165,6 +168,7 @@ impl<'d> Trial<'d> {
         let begun = Course::begin(&mut Assembly { values, built, engine }, path, holds, motions);
         let course = begun.map_err(|error| self.failed(&error, "before the first position"))?;
         if let (Path::Motion(_), Some(engine)) = (path, self.engine.as_deref_mut()) {
+            engine.only_drives(!self.reactions);
             let prepared = engine.prepare(&course.actuation);
             prepared.map_err(|error| self.failed(&error, ""))?;
         }

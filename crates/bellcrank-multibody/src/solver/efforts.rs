@@ -1,7 +1,7 @@
 //! Drive efforts and reactions: `Jᵀ [λ; u] = τ`, then the inward pass with λ applied.
 
 use super::balance::{Balance, Demands, turn_attitude_drives};
-use super::machine::{Machine, Stage};
+use super::machine::{Machine, Prepared, Stage};
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::dynamics;
 use crate::forces::{Element, Friction, Present, apply_all, friction_effort, read};
@@ -31,12 +31,13 @@ impl<S: Space<T = f64>> Machine<S> {
         let Some(mut prepared) = self.prepared.take() else {
             return Err(MechanismError::NotFinite("no actuation prepared"));
         };
-        let result = match prepared.effort.as_mut() {
+        let Prepared { position, rate, effort, .. } = &mut *prepared;
+        let result = match effort {
             Some(system) => {
                 system.factor(&self.mech, &self.rows, &self.x);
                 self.efforts_with(system)
             }
-            None => self.efforts_with(prepared.rate.as_mut().unwrap_or(&mut prepared.position)),
+            None => self.efforts_with(rate.as_mut().unwrap_or(position)),
         };
         self.prepared = Some(prepared);
         result
@@ -94,10 +95,15 @@ impl<S: Space<T = f64>> Machine<S> {
         self.tau.iter_mut().zip(&self.efforts).for_each(|(t, e)| *t -= e);
         self.subtract_tree_friction();
         system.solve_transposed(&self.tau, &mut self.lambda);
-        if system.nullity() > 0 {
+        let only_drives = self.only_drives && !self.has_friction;
+        // Self-stress changes no drive: there are as many drives as freedoms.
+        if system.nullity() > 0 && !only_drives {
             self.choose_least_norm(system);
         }
         self.read_drives(system);
+        if only_drives {
+            return;
+        }
         self.gather_with_loops(system, Demands::All);
     }
 

@@ -145,11 +145,12 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     pub(crate) fn prepare_systems(&mut self, actuation: &Actuation) -> Result<(), MechanismError> {
-        if let Some(kept) = self.kept.take()
+        if let Some(mut kept) = self.kept.take()
             && kept.actuation == *actuation
         {
             self.rows.evaluate(&self.mech, &self.q, &self.x);
-            self.begin_at_present(Prepared { position_sign: 0.0, rate_sign: 0.0, ..kept });
+            (kept.position_sign, kept.rate_sign) = (0.0, 0.0);
+            self.begin_at_present(kept);
             return Ok(());
         }
         for list in [&actuation.position, &actuation.rate, &actuation.effort] {
@@ -166,7 +167,7 @@ impl<S: Space<T = f64>> Machine<S> {
             (actuation.rate != actuation.position).then(|| self.system_for(&actuation.rate, freedom)).transpose()?;
         let effort =
             (actuation.effort != actuation.rate).then(|| self.system_for(&actuation.effort, freedom)).transpose()?;
-        self.begin_at_present(Prepared {
+        self.begin_at_present(Box::new(Prepared {
             actuation: actuation.clone(),
             position,
             rate,
@@ -174,11 +175,11 @@ impl<S: Space<T = f64>> Machine<S> {
             position_sign: 0.0,
             rate_sign: 0.0,
             targets: Vec::new(),
-        });
+        }));
         Ok(())
     }
 
-    fn begin_at_present(&mut self, mut prepared: Prepared) {
+    fn begin_at_present(&mut self, mut prepared: Box<Prepared>) {
         self.reset_unwrapped();
         prepared.targets.clear();
         let places = prepared.actuation.position.iter().map(|c| self.solved().coordinate(*c).position);

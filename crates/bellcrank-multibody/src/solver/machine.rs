@@ -56,9 +56,12 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) x: Vec<NodeState<S>>,
     pub(crate) rows: Rows<S>,
     pub(crate) stage: Stage,
-    pub(crate) prepared: Option<Prepared>,
+    /// In a box: every step takes it out and puts it back.
+    pub(crate) prepared: Option<Box<Prepared>>,
     /// Systems of the machine before [`Engine::renew`], good for the same actuation.
-    pub(crate) kept: Option<Prepared>,
+    pub(crate) kept: Option<Box<Prepared>>,
+    /// Joint reactions are left out where the drives can be had without.
+    pub(crate) only_drives: bool,
     pub(crate) history: History,
     pub(crate) inputs: Vec<f64>,
     pub(crate) outputs: Vec<Output<S>>,
@@ -109,6 +112,7 @@ impl<S: Space<T = f64>> Machine<S> {
             stage: Stage::Position,
             prepared: None,
             kept: None,
+            only_drives: false,
             history: History::new(mech.nq),
             inputs: vec![0.0; mech.inputs],
             outputs: vec![Output::default(); mech.elements.len()],
@@ -281,6 +285,9 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
     }
     fn renew(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError> {
         self.take_numbers(blueprint)
+    }
+    fn only_drives(&mut self, only: bool) {
+        self.only_drives = only;
     }
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError> {
         self.prepare_systems(actuation)

@@ -1,6 +1,6 @@
 //! Position by continuation: predict, correct by Newton, halve the step when it does not contract.
 
-use super::machine::Machine;
+use super::machine::{Machine, Prepared};
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::attitude::{normalize, rotation_vector, wrap};
 use crate::constraint::Measure;
@@ -93,7 +93,8 @@ impl<S: Space<T = f64>> Machine<S> {
         let result = if targets.iter().any(|t| !t.is_finite()) {
             Err(MechanismError::NotFinite("a prescribed position"))
         } else {
-            self.walk(&mut prepared.position, &prepared.actuation.position, &mut prepared.targets, targets)
+            let Prepared { position, actuation, targets: at, .. } = &mut *prepared;
+            self.walk(position, &actuation.position, at, targets)
         };
         if let Ok(moved) = &result {
             self.time = time;

@@ -1,6 +1,6 @@
 //! Velocities and accelerations: `J v = [0; ṡ]`, `J a = [−ġ_v; s̈ − ḋ_v]`.
 
-use super::machine::{Machine, Stage};
+use super::machine::{Machine, Prepared, Stage};
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::attitude::spin_of_rpy;
 use crate::constraint::Measure;
@@ -15,13 +15,15 @@ impl<S: Space<T = f64>> Machine<S> {
             return Err(MechanismError::NotFinite("no actuation prepared"));
         };
         self.rows.evaluate(&self.mech, &self.q, &self.x);
-        let system = prepared.rate.as_mut().unwrap_or(&mut prepared.position);
+        let Prepared { position, rate, rate_sign, .. } = &mut *prepared;
+        let own = rate.is_some();
+        let system = rate.as_mut().unwrap_or(position);
         let result = self.rates_with(system, velocity, acceleration);
         let sign = system.determinant_sign();
         let mut moved = Moved::default();
-        if prepared.rate.is_some() && sign != 0.0 {
-            moved.passed_dead_position = prepared.rate_sign * sign < 0.0;
-            prepared.rate_sign = sign;
+        if own && sign != 0.0 {
+            moved.passed_dead_position = *rate_sign * sign < 0.0;
+            *rate_sign = sign;
         }
         self.prepared = Some(prepared);
         result.map(|()| moved)

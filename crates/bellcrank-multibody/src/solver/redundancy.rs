@@ -6,7 +6,7 @@
 //! happen to close loops.
 
 use super::balance::Demands;
-use super::machine::Machine;
+use super::machine::{Machine, Prepared};
 use super::system::LinearSystem;
 use bellcrank_math::{Space, linalg::dense};
 
@@ -67,7 +67,8 @@ impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn unique_components(&mut self) -> Vec<[bool; 6]> {
         let all = vec![[true; 6]; self.wrench.len()];
         let Some(mut prepared) = self.prepared.take() else { return all };
-        let system = prepared.effort.as_mut().or(prepared.rate.as_mut()).unwrap_or(&mut prepared.position);
+        let Prepared { position, rate, effort, .. } = &mut *prepared;
+        let system = effort.as_mut().or(rate.as_mut()).unwrap_or(position);
         self.rows.evaluate(&self.mech, &self.q, &self.x);
         system.factor(&self.mech, &self.rows, &self.x);
         let stresses = if system.nullity() > 0 { self.self_stresses(system) } else { Vec::new() };

@@ -445,15 +445,16 @@ impl<S: Space<T = f64>> Machine<S> {
     ) -> Result<(), MechanismError> {
         self.factor_here(&mut prepared.position, System::Position)?;
         tangent.carry_positions(&mut prepared.position, at.position);
-        if let Some(rate) = &mut prepared.rate {
+        let super::machine::Prepared { position, rate, effort, .. } = prepared;
+        if let Some(rate) = rate {
             self.factor_here(rate, System::Drive)?;
         }
-        let rate = prepared.rate.as_mut().unwrap_or(&mut prepared.position);
+        let rate = rate.as_mut().unwrap_or(position);
         tangent.carry_rates(rate, at.velocity, at.acceleration);
         if self.stage < Stage::Forces {
             return Ok(());
         }
-        match &mut prepared.effort {
+        match effort {
             Some(effort) => {
                 self.factor_here(effort, System::Drive)?;
                 tangent.carry_forces(effort, inputs)
