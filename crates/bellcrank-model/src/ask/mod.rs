@@ -6,6 +6,7 @@ mod asking;
 mod designs;
 mod optimize;
 mod sensitivity;
+mod tolerance;
 
 use std::time::Instant;
 
@@ -49,7 +50,7 @@ fn answer(asking: &Asking<'_>, result: &mut StudyResult, progress: &mut dyn Prog
         Question::Sensitivity(question) => sensitivity::run(asking, question, result, progress),
         Question::Optimize(question) => optimize::run(asking, question, result, progress),
         Question::Designs(question) => designs::run(asking, question, result, progress),
-        Question::Tolerance(_) => Err(Undefined { message: "this kind is not run yet".to_owned(), hints: Vec::new() }),
+        Question::Tolerance(question) => tolerance::run(asking, question, result, progress),
     }
 }
 

@@ -12,3 +12,4 @@ mod studies;
 mod subsystems;
 mod suite;
 mod support;
+mod tolerance;
