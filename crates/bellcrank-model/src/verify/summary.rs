@@ -30,7 +30,7 @@ pub(super) fn find<'v>(value: &'v Value, path: &str) -> Option<Place<'v>> {
         Value::Object(object) => {
             let rest = |key: &str| {
                 let rest = path.strip_prefix(key)?;
-                if rest.is_empty() { Some(rest) } else { rest.strip_prefix('.') }
+                if rest.is_empty() { Some(rest) } else { rest.strip_prefix('.').filter(|rest| !rest.is_empty()) }
             };
             let mut ways: Vec<(&str, &Value)> =
                 object.iter().filter_map(|(key, inner)| rest(key).map(|rest| (rest, inner))).collect();
