@@ -18,6 +18,7 @@ use crate::progress::Progress;
 use crate::{RunOptions, trial::Undefined};
 
 pub(crate) use asking::Asking;
+pub(crate) use optimize::terms;
 
 /// Runs an asking study; `studies` are all of the model.
 pub(crate) fn run(

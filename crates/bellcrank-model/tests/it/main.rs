@@ -5,6 +5,7 @@ mod cases;
 mod designs;
 mod files;
 mod format;
+mod improve;
 mod lift;
 mod random;
 mod residuals;
