@@ -111,7 +111,7 @@ impl Model {
         let terms = model.terms(&study.name, &x).map_err(|why| ImproveError::NotSolved { why })?;
         for (row, value) in found.compared.iter().zip(terms) {
             let start = if row.start.is_finite() { row.start.abs() } else { 0.0 };
-            if !((value - row.value).abs() <= SAME * row.value.abs().max(start)) {
+            if value.is_nan() || (value - row.value).abs() > SAME * row.value.abs().max(start) {
                 return Err(ImproveError::Differs { what: row.name.clone(), found: row.value, gives: value });
             }
         }
