@@ -74,7 +74,7 @@ impl<'a, 'd> Machines<'a, 'd> {
             sink(row, answer);
             self.designs += 1;
             self.positions += positions;
-            if self.designs % every == 0 {
+            if self.designs.is_multiple_of(every) {
                 self.progress.at(self.designs as f64 / self.total as f64, doing);
             }
             self.stopped = self.progress.cancelled();
