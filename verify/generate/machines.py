@@ -98,6 +98,26 @@ ref.value("lift", max(fine), "N", reduce="max(drive.slide.force)", rtol=1e-10)
 ref.value("lift", min(fine), "N", reduce="min(drive.slide.force)", rtol=1e-10)
 ref.value("lift", 0, "m", reduce="max(abs(check.closure))", atol=1e-12)
 ref.value("lift", 0, "", reduce="max(abs(check.balance))", atol=1e-9)
+# The peak is at -30 degrees, an end of the sweep: its relative sensitivities by differences of the closed form.
+def peak_at_the_end(**changed):
+    m = [changed.get(k, v) for k, v in (("m1", 19.84), ("m3", 20.8), ("m5", 19.4))]
+    return lift(-30 * deg, m=m, **{k: v for k, v in changed.items() if k[0] == "l"})["force"]
+
+
+nominal = dict(l32=0.16, l5=0.95, l31=0.732, m5=19.4, m3=20.8, m1=19.84)
+for (name, p), printed in zip(nominal.items(), (-0.9676, 0.9322, 0.0459, 0.0889, 0.0853, 0.0775)):
+    change = lambda h: (peak_at_the_end(**{name: p * (1 + h)}) - peak_at_the_end(**{name: p * (1 - h)})) / 2 / h
+    relative = (4 * change(1e-4) - change(2e-4)) / 3 / peak_at_the_end()
+    assert abs(relative - printed) < 5.1e-5
+    ref.summary("influence", f"sensitivity.{name}.relative", relative, rtol=1e-8)
+ref.summary("influence", "response.value", peak_at_the_end(), "N", rtol=1e-10)
+best = dict(l31=0.6, l32=0.2, l5=0.8)
+for name, p in best.items():
+    ref.summary("shorter", f"variables.{name}.value", 1e3 * p, "mm", atol=1e-3)
+best = max(lift(x * deg, **best)["force"] for x in np.arange(-30000, 30001) / 1e3)
+assert abs(best - 4423.5) < 0.05
+ref.summary("shorter", "objective.value", best, "N", rtol=1e-6)
+ref.checks.append(["[[check]]", 'study = "shorter"', 'summary = "status"', 'text = "converged"'])
 ref.fact(degrees_of_freedom=1, loops=2, redundant=0, bodies=5, joints=7).write(*out("assist-manipulator"))
 
 # ---------------------------------------------------------------- slider-crank, four-bar

@@ -33,6 +33,15 @@ def python_of(text):
     return text.replace("^", "**")
 
 
+def nominal(v):
+    """"950 ± 0.1 mm" and "950 mm ± 0.1 mm" without the tolerance."""
+    parts = re.fullmatch(r"(.*?)\s*±\s*[\d.]+\s*(.*)", v) if isinstance(v, str) else None
+    if parts is None:
+        return v
+    value, unit = parts.groups()
+    return value if re.search("[a-z]", value) else f"{value} {unit}"
+
+
 def evaluate(value, names):
     if isinstance(value, (int, float)):
         return float(value)
@@ -189,6 +198,7 @@ class Model:
         self.planar = d["space"] == "planar"
         self.dim = 2 if self.planar else 3
         raw = {k: (v["value"] if isinstance(v, dict) else v) for k, v in d.get("parameters", {}).items()}
+        raw = {k: nominal(v) for k, v in raw.items()}
         raw.update(override)
         for k in raw:
             assert k not in UNITS and k not in FUNCTIONS and k not in ("time", "min"), k

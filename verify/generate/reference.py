@@ -36,6 +36,15 @@ class Reference:
         self.checks.append(t)
         return self
 
+    def summary(self, study, path, value, unit="", rtol=None, atol=None):
+        """A number of the study's summary.json, in the unit shown there."""
+        t = ["[[check]]", f'study = "{study}"', f'summary = "{path}"', f"value = {number(value)}"]
+        t += [f'unit = "{unit}"'] if unit else []
+        t += [f"rtol = {rtol:g}"] if rtol is not None else []
+        t += [f"atol = {atol:g}"] if atol is not None else []
+        self.checks.append(t)
+        return self
+
     def fact(self, **facts):
         for k, v in facts.items():
             self.checks.append(["[[check]]", f'scalar = "{k}"', f"value = {v}"])

@@ -17,18 +17,37 @@ impl Parameter {
     /// `None` for a value that is not finite.
     #[must_use]
     pub fn value_as_written(&self, si: f64, otherwise: &str) -> Option<String> {
+        written_value(si, &self.symbol(otherwise))
+    }
+
+    /// [`Parameter::value_as_written`] with the fewest digits that stay within `tolerance` (SI) of the value.
+    #[must_use]
+    pub fn value_as_written_within(&self, si: f64, tolerance: f64, otherwise: &str) -> Option<String> {
+        let symbol = self.symbol(otherwise);
+        let exact = written_value(si, &symbol)?;
+        Some(rounded_value(si, &symbol, tolerance).unwrap_or(exact))
+    }
+
+    /// The unit of [`Parameter::value_as_written`].
+    fn symbol(&self, otherwise: &str) -> String {
         let fits = |symbol: &str| match unit(symbol) {
             Ok(unit) => unit.dimension.agrees(self.dimension),
             Err(_) => symbol.is_empty() && self.dimension.is_none(),
         };
         let own = self.unit_as_written().filter(|symbol| fits(symbol));
         let symbol = own.or_else(|| Some(otherwise.to_owned()).filter(|symbol| fits(symbol)));
-        match symbol {
-            Some(symbol) => written_value(si, &symbol),
-            None if self.dimension.is_none() => written_value(si, ""),
-            None => written_value(si, &self.dimension.unit()),
-        }
+        symbol.unwrap_or_else(|| if self.dimension.is_none() { String::new() } else { self.dimension.unit() })
     }
+}
+
+/// A value that reads well and lies within `tolerance` of another, both SI.
+fn rounded_value(si: f64, symbol: &str, tolerance: f64) -> Option<String> {
+    let unit = if symbol.is_empty() { None } else { Some(unit(symbol).ok()?) };
+    let scaled = unit.map_or(si, |unit| unit.from_si(si));
+    let near = |value: &f64| (unit.map_or(*value, |unit| unit.to_si(*value)) - si).abs() <= tolerance;
+    let zero = std::iter::once(0.0);
+    let value = zero.chain((0..17).map(|decimals| rounded(scaled, decimals))).find(near)?;
+    Some(if symbol.is_empty() { digits(value) } else { format!("{} {symbol}", digits(value)) })
 }
 
 /// An SI value as a model file writes it: `600 mm` for 0.6 and `mm`, a number alone for an empty
@@ -86,7 +105,7 @@ fn distance(a: f64, b: f64) -> u64 {
 mod tests {
     use proptest::prelude::*;
 
-    use super::written_value;
+    use super::{rounded_value, written_value};
     use crate::{unit, unit_names};
 
     #[test]
@@ -110,6 +129,22 @@ mod tests {
         }
         assert_eq!((written_value(1.0, "mmm"), written_value(f64::NAN, "mm")), (None, None));
         assert_eq!((written_value(f64::INFINITY, ""), written_value(f64::MAX, "um")), (None, None));
+    }
+
+    #[test]
+    fn rounded_where_that_is_near_enough() {
+        let cases = [
+            (0.1 + 0.2, "mm", 1e-12, "300 mm"),
+            (0.123_456_789_012_345_67, "m", 1e-13, "0.1234567890123 m"),
+            (1e-17, "mm", 1e-12, "0 mm"),
+            (293.150_000_000_000_1, "degC", 1e-9, "20 degC"),
+            (2.0 / 3.0, "", 1e-6, "0.666667"),
+            (-0.6, "mm", 0.0, "-600 mm"),
+        ];
+        for (si, symbol, tolerance, expected) in cases {
+            assert_eq!(rounded_value(si, symbol, tolerance).as_deref(), Some(expected));
+        }
+        assert_eq!(rounded_value(1.0, "mmm", 1.0), None);
     }
 
     proptest! {

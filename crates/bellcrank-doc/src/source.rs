@@ -56,6 +56,8 @@ struct Source {
     text: String,
     /// Byte offset at which each line starts; the first is 0.
     lines: Vec<usize>,
+    /// The file began with a byte order mark, which is not part of the text.
+    marked: bool,
 }
 
 /// All texts of a run: model files, subsystem files, pieces of the command line.
@@ -75,7 +77,7 @@ impl Sources {
     pub fn add(&mut self, name: impl Into<String>, text: impl Into<String>) -> SourceId {
         let text = text.into();
         let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
-        self.all.push(Source { name: name.into(), text, lines });
+        self.all.push(Source { name: name.into(), text, lines, marked: false });
         SourceId(u32::try_from(self.all.len() - 1).unwrap_or(u32::MAX))
     }
 
@@ -95,6 +97,18 @@ impl Sources {
     #[must_use]
     pub fn slice(&self, span: Span) -> &str {
         self.text(span.source).get(span.start..span.end).unwrap_or("")
+    }
+
+    /// Whether the file began with a byte order mark, which its text is without.
+    #[must_use]
+    pub fn is_marked(&self, id: SourceId) -> bool {
+        self.get(id).is_some_and(|s| s.marked)
+    }
+
+    pub(crate) fn mark(&mut self, id: SourceId) {
+        if let Some(source) = self.all.get_mut(id.0 as usize) {
+            source.marked = true;
+        }
     }
 
     /// A span over the whole text.

@@ -46,6 +46,9 @@ pub fn load(sources: &mut Sources, name: &str, bytes: &[u8], diagnostics: &mut D
     match inspect(bytes) {
         Ok(text) => {
             let id = sources.add(name, text);
+            if text.len() < bytes.len() {
+                sources.mark(id);
+            }
             report_empty(sources, id, diagnostics).then_some(id)
         }
         Err(fault) => {

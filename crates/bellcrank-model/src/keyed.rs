@@ -5,6 +5,24 @@ use bellcrank_doc::{Diagnostic, Dimension, Expression, Fields, Reader, Signals, 
 use crate::measure::Motion;
 use crate::schema::{AXES, Key, OPEN, Schema, Shape};
 
+/// What other programs call a key.
+const OTHER_WORDS: &[(&str, &str)] = &[
+    ("objective", "minimize"),
+    ("goal", "minimize"),
+    ("cost", "minimize"),
+    ("constraints", "subject_to"),
+    ("constraint", "subject_to"),
+    ("parameters", "variables"),
+    ("parameters", "vary"),
+    ("parameters", "tolerances"),
+    ("variables", "parameters"),
+    ("variables", "vary"),
+    ("vary", "parameters"),
+    ("vary", "variables"),
+    ("study", "of"),
+    ("max_iterations", "iterations"),
+];
+
 /// A cursor over a table of a known schema.
 pub(crate) struct Keyed<'a> {
     fields: Fields<'a>,
@@ -20,14 +38,14 @@ impl<'a> Keyed<'a> {
         let kinds: Vec<&'static str> = schema.kinds.iter().map(|kind| kind.name).collect();
         let kind = if kinds.is_empty() { None } else { kind_of(&fields, &kinds) };
         let hints = move |key: &str| what_to_write(schema, kind, space, key);
-        Keyed { fields: fields.with_hints(hints), schema, kind, space }
+        Keyed { fields: fields.with_hints(hints).with_other_words(OTHER_WORDS), schema, kind, space }
     }
 
     /// Opens a table whose kind is known from elsewhere.
     pub(crate) fn of_kind(fields: Fields<'a>, schema: &'static Schema, kind: &'static str, space: usize) -> Keyed<'a> {
         fields.has("kind");
         let hints = move |key: &str| what_to_write(schema, Some(kind), space, key);
-        let fields = fields.with_hints(hints);
+        let fields = fields.with_hints(hints).with_other_words(OTHER_WORDS);
         Keyed { fields, schema, kind: Some(kind), space }
     }
 

@@ -15,6 +15,7 @@ mod disk;
 mod drawing;
 mod error;
 mod geometry;
+mod improve;
 mod keyed;
 mod load;
 mod measure;
@@ -36,6 +37,7 @@ mod written;
 
 pub use check::{BodyFact, Check, JointFact};
 pub use error::RunError;
+pub use improve::{ImproveError, Improved};
 pub use load::{Loaded, load};
 pub use model::{Model, StudyInfo};
 pub use options::RunOptions;

@@ -7,7 +7,8 @@ use bellcrank_doc::{Diagnostic, Diagnostics, Override, SourceId, Sources};
 use crate::Model;
 use crate::build::{self, check_connected};
 use crate::design::{Design, Study, Task, Values};
-use crate::model::Parts;
+use crate::disk::read_source;
+use crate::model::{Main, Parts};
 use crate::provenance;
 use crate::read::{ReadModel, Tables, read_files, read_model};
 
@@ -26,30 +27,52 @@ pub struct Loaded {
 /// the command line), and checks all of it.
 #[must_use]
 pub fn load(path: &Path, overrides: &[(String, String)]) -> Loaded {
+    loaded(path, overrides, |sources, diagnostics| read_source(sources, path, diagnostics))
+}
+
+/// The same of a text as if it stood in the file `path`: what it names is looked for beside that.
+pub(crate) fn load_text(path: &Path, text: &str, overrides: &[(String, String)]) -> Loaded {
+    let name = path.display().to_string();
+    loaded(path, overrides, |sources, diagnostics| bellcrank_doc::load(sources, &name, text.as_bytes(), diagnostics))
+}
+
+fn loaded(
+    path: &Path,
+    overrides: &[(String, String)],
+    main: impl FnOnce(&mut Sources, &mut Diagnostics) -> Option<SourceId>,
+) -> Loaded {
     let mut sources = Sources::new();
     let mut diagnostics = Diagnostics::new();
-    let model = read(path, overrides, &mut sources, &mut diagnostics);
+    let arguments = arguments(overrides, &mut sources, &mut diagnostics);
+    let model = main(&mut sources, &mut diagnostics)
+        .and_then(|main| read(main, path, arguments, &mut sources, &mut diagnostics));
     diagnostics.sort();
-    let model = model.filter(|_| !diagnostics.has_errors());
+    let model = model.filter(|_| !diagnostics.has_errors()).map(|model| model.with_settings(overrides));
     Loaded { sources, diagnostics, model }
 }
 
 fn read(
+    main: SourceId,
     path: &Path,
-    overrides: &[(String, String)],
+    overrides: Vec<Override>,
     sources: &mut Sources,
     diagnostics: &mut Diagnostics,
 ) -> Option<Model> {
-    let overrides = arguments(overrides, sources, diagnostics);
-    let files = read_files(sources, path, overrides, diagnostics)?;
+    let files = read_files(sources, main, path, overrides, diagnostics)?;
     let texts: Vec<SourceId> = files.parts.iter().map(|part| part.table.span.source).collect();
     let read = read_model(files, &Tables::new(sources), diagnostics)?;
     evaluate(&read, diagnostics);
     let ReadModel { title, design, studies } = read;
     let name = path.file_stem().map_or_else(|| "model".to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let file = path.display().to_string();
     let hash = provenance::hash(sources, &texts);
-    Model::new(Parts { title: title.unwrap_or_else(|| name.clone()), name, file, hash, design, studies })
+    let main = Main { path: path.to_owned(), text: text_of(sources, main), settings: Vec::new() };
+    Model::new(Parts { title: title.unwrap_or_else(|| name.clone()), name, main, hash, design, studies })
+}
+
+/// The text as the file has it, with its byte order mark.
+fn text_of(sources: &Sources, id: SourceId) -> String {
+    let mark = if sources.is_marked(id) { "\u{feff}" } else { "" };
+    format!("{mark}{}", sources.text(id))
 }
 
 fn arguments(overrides: &[(String, String)], sources: &mut Sources, diagnostics: &mut Diagnostics) -> Vec<Override> {

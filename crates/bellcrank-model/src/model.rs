@@ -1,6 +1,7 @@
 //! A checked model: what it is made of, and what can be asked of it.
 
 use std::fmt;
+use std::path::PathBuf;
 
 use bellcrank_doc::{ParameterSet, nearest};
 use bellcrank_multibody::{Blueprint, Engine};
@@ -31,10 +32,19 @@ pub struct Model {
 pub(crate) struct Parts {
     pub(crate) name: String,
     pub(crate) title: String,
-    pub(crate) file: String,
+    pub(crate) main: Main,
     pub(crate) hash: String,
     pub(crate) design: Design,
     pub(crate) studies: Vec<Study>,
+}
+
+/// The main file of a model.
+pub(crate) struct Main {
+    pub(crate) path: PathBuf,
+    /// Byte for byte.
+    pub(crate) text: String,
+    /// Names and values of the command line.
+    pub(crate) settings: Vec<(String, String)>,
 }
 
 impl fmt::Debug for Model {
@@ -51,6 +61,15 @@ impl Model {
         let built = build::build(&parts.design, &values, &mut Vec::new())?;
         build::engine(&parts.design, &built).ok()?;
         Some(Model { parts, built })
+    }
+
+    pub(crate) fn with_settings(mut self, settings: &[(String, String)]) -> Model {
+        self.parts.main.settings = settings.to_vec();
+        self
+    }
+
+    pub(crate) fn main(&self) -> &Main {
+        &self.parts.main
     }
 
     /// Name: the stem of the file's name.
@@ -206,7 +225,7 @@ impl Model {
         RunResult {
             model: self.parts.name.clone(),
             title: self.parts.title.clone(),
-            provenance: provenance::provenance(&self.parts.file, &self.parts.hash),
+            provenance: provenance::provenance(&self.parts.main.path.display().to_string(), &self.parts.hash),
             parameters: self.parameters(),
             facts: facts.facts(),
             drawing: self.drawing(),

@@ -5,9 +5,14 @@
 //! first one unless given), a `reduce` expression over the rows, a `scalar` of the study or of the mechanism
 //! (`bodies`, `joints`, `loops`, `degrees_of_freedom`, `redundant`), or whether a reaction component is determined by
 //! equilibrium alone (`unique = "joint.fx"`). It has a `value` and may differ by `rtol·|value| + atol`.
+//!
+//! `summary` is a path into the study's `summary.json`, such as `sensitivity.l32.relative`, `variables.l5.value` or
+//! `starts.0.point.l5`. Value and tolerances are then plain numbers in the unit shown there; `unit` says which that is,
+//! and is held against it. True and false are 1 and 0, `null` agrees with nothing. A text is compared by `text`.
 
 mod compare;
 mod reference;
+mod summary;
 
 use std::path::Path;
 

@@ -25,10 +25,8 @@ pub(crate) fn sections(files: &[Part]) -> Vec<Section> {
     let mut all = Vec::new();
     for file in files {
         let main = file.prefix.is_empty();
-        let counts = |entry: &&Entry| {
-            let key = entry.key.as_str();
-            !SILENT.contains(&key) && !(main && key == "parameters") && (main || key != "studies")
-        };
+        let silent = if main { "parameters" } else { "studies" };
+        let counts = |entry: &&Entry| entry.key != silent && !SILENT.contains(&entry.key.as_str());
         for entry in file.table.iter().filter(counts) {
             match entry.value.as_table().filter(|_| NAMED.contains(&entry.key.as_str())) {
                 Some(table) => all.extend(

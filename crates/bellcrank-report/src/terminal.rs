@@ -92,7 +92,7 @@ impl Page<'_> {
             .map(|(name, range)| format!(", {} {range}", clean(&name)))
             .collect();
         let (kind, took) = (clean(&study.kind), number::duration(study.seconds));
-        if study.findings.is_some() && rows == 0 {
+        if study.table.columns.is_empty() {
             return format!("{name}  {kind}, {took}\n");
         }
         let plural = if rows == 1 { "" } else { "s" };

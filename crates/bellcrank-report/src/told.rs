@@ -27,8 +27,11 @@ pub(crate) fn sentences(findings: &Findings) -> Vec<String> {
     }
 }
 
-/// Why the study did not reach what it was for, though it ran to its end.
+/// Why the study did not reach what it was for, though it ran to its end. A failure says it by itself.
 pub(crate) fn unmet(study: &StudyResult) -> Option<String> {
+    if study.failure.is_some() {
+        return None;
+    }
     match study.findings.as_ref()? {
         Findings::Optimization(found) => optimization::unmet(found),
         Findings::Designs(found) => designs::unmet(found),

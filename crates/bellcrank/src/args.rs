@@ -63,6 +63,12 @@ pub(crate) struct RunArgs {
     /// Where to write; `results/<model name>` unless given.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// Write the model with the values that its `optimize` study found into a new file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) write: Option<PathBuf>,
+    /// Let `--write` replace a file that is already there.
+    #[arg(long, requires = "write")]
+    pub(crate) force: bool,
     /// Threads for studies over many designs; one a core unless given. Results do not depend on it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=1024))]
     pub(crate) threads: Option<u16>,
@@ -72,7 +78,7 @@ pub(crate) struct RunArgs {
     /// Print the summaries as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Print nothing but errors.
+    /// Print nothing but errors: no summary, no iterations.
     #[arg(long, short, conflicts_with = "json")]
     pub(crate) quiet: bool,
 }

@@ -28,10 +28,19 @@ pub(crate) struct RunConfig {
     pub(crate) settings: Vec<Setting>,
     /// `None` is the default, which depends on the model's name.
     pub(crate) out: Option<PathBuf>,
+    pub(crate) write: Option<Write>,
     pub(crate) printed: Printed,
     /// 0 is one a core.
     pub(crate) threads: usize,
     pub(crate) fresh: bool,
+}
+
+/// Where the improved model goes.
+#[derive(Debug)]
+pub(crate) struct Write {
+    pub(crate) file: PathBuf,
+    /// A file that is there may be replaced.
+    pub(crate) force: bool,
 }
 
 impl RunConfig {
@@ -48,6 +57,7 @@ impl RunConfig {
             studies: distinct(&args.studies),
             settings,
             out: args.out.clone(),
+            write: args.write.clone().map(|file| Write { file, force: args.force }),
             printed,
             threads: args.threads.map_or(0, usize::from),
             fresh: args.fresh,

@@ -72,7 +72,7 @@ impl Console {
 }
 
 /// Names come from files and arguments: a control character in one must not steer the terminal.
-fn visible(text: &str) -> String {
+pub(crate) fn visible(text: &str) -> String {
     text.chars().map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c }).collect()
 }
 

@@ -9,6 +9,7 @@ mod config;
 mod console;
 mod exit;
 mod fault;
+mod improvement;
 mod interrupt;
 mod loading;
 mod progress;

@@ -1,4 +1,5 @@
-//! Progress of long work: a bar on standard error, only on a terminal, only when the work takes long.
+//! Progress of long work on standard error: a bar, only on a terminal and only when the work takes long, and lines as
+//! they come (the iterations of an optimization), into files and pipes as well.
 
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
@@ -7,6 +8,7 @@ use bellcrank_model::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::config::Printed;
+use crate::console::{Console, visible};
 use crate::interrupt::Interrupt;
 
 /// Shorter work is over before one has read that it is under way.
@@ -18,14 +20,19 @@ pub(crate) struct Watch {
     interrupt: Interrupt,
     start: Instant,
     shown: bool,
+    /// Whether lines are printed.
+    lines: bool,
+    console: Console,
     bar: Option<ProgressBar>,
 }
 
 impl Watch {
-    /// A watch that shows a bar if `printed` and the terminal allow one.
-    pub(crate) fn new(interrupt: Interrupt, printed: Printed) -> Self {
+    /// A watch that shows a bar if `printed` and the terminal allow one, and lines where somebody reads them: beside a
+    /// summary always, beside JSON only on a terminal.
+    pub(crate) fn new(interrupt: Interrupt, printed: Printed, console: Console) -> Self {
         let shown = printed != Printed::Nothing && std::io::stderr().is_terminal();
-        Self { interrupt, start: Instant::now(), shown, bar: None }
+        let lines = shown || printed == Printed::Summary;
+        Self { interrupt, start: Instant::now(), shown, lines, console, bar: None }
     }
 
     /// Takes the bar away.
@@ -44,6 +51,17 @@ impl Progress for Watch {
         let bar = self.bar.get_or_insert_with(bar);
         bar.set_position((fraction.clamp(0.0, 1.0) * STEPS as f64) as u64);
         bar.set_message(message.to_owned());
+    }
+
+    fn line(&mut self, text: &str) {
+        if !self.lines {
+            return;
+        }
+        let say = || self.console.say(&format!("{}\n", visible(text)));
+        match &self.bar {
+            Some(bar) => bar.suspend(say),
+            None => say(),
+        }
     }
 
     fn cancelled(&self) -> bool {

@@ -479,7 +479,11 @@ impl Parser {
             TokenKind::Number(_) | TokenKind::Open => "an operator is missing here",
             _ => "expected a number, a name or `(`",
         };
-        Diagnostic::error("expression", self.here(), message)
+        let report = Diagnostic::error("expression", self.here(), message);
+        match self.peek() {
+            TokenKind::Compare(_) => report.hint("write two: `a <= b` and `b <= c`"),
+            _ => report,
+        }
     }
 }
 

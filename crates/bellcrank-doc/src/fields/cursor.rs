@@ -24,6 +24,7 @@ pub struct Fields<'a> {
     known: RefCell<Vec<&'static str>>,
     missing: RefCell<Vec<&'static str>>,
     hints: Hints,
+    other_words: &'static [(&'static str, &'static str)],
 }
 
 impl<'a> Fields<'a> {
@@ -37,7 +38,15 @@ impl<'a> Fields<'a> {
             known: RefCell::default(),
             missing: RefCell::default(),
             hints: Box::new(|_| None),
+            other_words: &[],
         }
+    }
+
+    /// Other words for keys, each with the key that is meant where this table has it.
+    #[must_use]
+    pub fn with_other_words(mut self, words: &'static [(&'static str, &'static str)]) -> Fields<'a> {
+        self.other_words = words;
+        self
     }
 
     /// What to write where a required key is absent, by key.
@@ -264,8 +273,12 @@ impl<'a> Fields<'a> {
         let mut names = known.clone();
         names.sort_unstable();
         for entry in self.table.iter().filter(|e| !known.contains(&e.key.as_str())) {
-            let absent = known.iter().copied().filter(|k| self.table.get(k).is_none());
-            let meant = nearest(&entry.key, absent).or_else(|| nearest(&entry.key, known.iter().copied()));
+            let absent = || known.iter().copied().filter(|k| self.table.get(k).is_none());
+            let word = |k: &&str| self.other_words.iter().any(|(word, key)| *word == entry.key && key == k);
+            let meant = absent()
+                .find(word)
+                .or_else(|| nearest(&entry.key, absent()))
+                .or_else(|| nearest(&entry.key, known.iter().copied()));
             // The misspelt key is reported; that the right one is missing would say it twice.
             self.missing.borrow_mut().retain(|k| Some(*k) != meant);
             let message = format!("unknown key `{}` in {}", entry.key, self.what);

@@ -6,6 +6,7 @@ mod asking;
 mod designs;
 mod optimize;
 mod sensitivity;
+mod tolerance;
 
 use std::time::Instant;
 
@@ -17,6 +18,7 @@ use crate::progress::Progress;
 use crate::{RunOptions, trial::Undefined};
 
 pub(crate) use asking::Asking;
+pub(crate) use optimize::terms;
 
 /// Runs an asking study; `studies` are all of the model.
 pub(crate) fn run(
@@ -49,7 +51,7 @@ fn answer(asking: &Asking<'_>, result: &mut StudyResult, progress: &mut dyn Prog
         Question::Sensitivity(question) => sensitivity::run(asking, question, result, progress),
         Question::Optimize(question) => optimize::run(asking, question, result, progress),
         Question::Designs(question) => designs::run(asking, question, result, progress),
-        Question::Tolerance(_) => Err(Undefined { message: "this kind is not run yet".to_owned(), hints: Vec::new() }),
+        Question::Tolerance(question) => tolerance::run(asking, question, result, progress),
     }
 }
 

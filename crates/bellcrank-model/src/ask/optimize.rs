@@ -46,12 +46,20 @@ pub(super) fn run(
         ("positions".to_owned(), problem.positions() as f64),
         (
             "gradient_evaluations".to_owned(),
-            optima.iter().map(|o| o.solution.gradient_evaluations).sum::<usize>() as f64,
+            optima.iter().flat_map(|o| &o.searches).map(|s| s.solution.gradient_evaluations).sum::<usize>() as f64,
         ),
     ];
-    result.warnings.extend(told.warnings(&found));
+    result.warnings.extend(told.warnings(&found, problem.hole.as_ref()));
+    let failure = told.failure(&found, &problem);
     result.findings = Some(Findings::Optimization(found));
-    told.failure(&problem).map_or(Ok(()), Err)
+    failure.map_or(Ok(()), Err)
+}
+
+/// The responses of the objective at values of the variables.
+pub(crate) fn terms(asking: &Asking<'_>, question: &Optimize, x: &[f64]) -> Result<Vec<f64>, Undefined> {
+    let mut numbers = Designing::new(asking, question).responses(x)?;
+    numbers.truncate(question.terms.len());
+    Ok(numbers)
 }
 
 fn options(question: &Optimize) -> Options {

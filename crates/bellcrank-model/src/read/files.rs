@@ -43,16 +43,17 @@ pub(crate) struct Files {
     pub(crate) scopes: Vec<Scope>,
 }
 
-/// Reads the main file and all it includes. `None` when there is nothing to work on.
+/// The main file, which is `source`, and all that it includes. `None` when there is nothing to work on.
 pub(crate) fn read_files(
     sources: &mut Sources,
+    source: SourceId,
     path: &Path,
     overrides: Vec<Override>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Files> {
     let mut expander =
         Expander { sources, diagnostics, overrides, parts: Vec::new(), scopes: Vec::new(), open: Vec::new() };
-    expander.file(path, String::new(), Mount::World, None)?;
+    expander.file(source, path, String::new(), Mount::World, None)?;
     expander.report_unused_overrides();
     let Expander { parts, scopes, .. } = expander;
     Some(Files { parts, scopes })
@@ -76,8 +77,14 @@ struct Expander<'s> {
 }
 
 impl Expander<'_> {
-    fn file(&mut self, path: &Path, prefix: String, mount: Mount, given: Option<Given<'_>>) -> Option<()> {
-        let source = read_source(self.sources, path, self.diagnostics)?;
+    fn file(
+        &mut self,
+        source: SourceId,
+        path: &Path,
+        prefix: String,
+        mount: Mount,
+        given: Option<Given<'_>>,
+    ) -> Option<()> {
         let errors = self.diagnostics.errors();
         let table = parse(self.sources, source, self.diagnostics);
         // Nothing of it could be read: what is missing in it is no news.
@@ -184,7 +191,9 @@ impl Expander<'_> {
             Some(written) => Mount::Point { written: written.value, prefix: prefix.to_owned(), span: written.span },
             None => Mount::World,
         };
-        self.file(&path, format!("{prefix}{}.", entry.key), mount, Some(Given { parent, set }));
+        if let Some(source) = read_source(self.sources, &path, self.diagnostics) {
+            self.file(source, &path, format!("{prefix}{}.", entry.key), mount, Some(Given { parent, set }));
+        }
     }
 
     /// `file` and `ground` of a subsystem; `set` is read with the parameters of both files.

@@ -93,7 +93,7 @@ pub(super) const TOLERANCE: &[Key] = &[
     Key::optional("limits", Between(&LIMITS), "allowed range of the response"),
     Key::optional("samples", Whole(0, 1_000_000_000), "number of machines drawn; 10000 unless given, 0 for none"),
     SEED,
-    Key::optional("sobol", Boolean, "Sobol points instead of random ones"),
+    Key::optional("sobol", Boolean, "shares of the variance that hold for any response (Sobol' indices), too"),
     Key::optional(
         "distribution",
         OneOf(DISTRIBUTIONS),

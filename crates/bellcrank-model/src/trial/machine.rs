@@ -137,6 +137,7 @@ impl<'d> Trial<'d> {
     /// The next design is built from nothing: what was chosen at designs before it has no part in it.
     pub(crate) fn forget(&mut self) {
         self.engine = None;
+        self.known = false;
     }
 
     /// Numbers, machine, assembly.

@@ -3,10 +3,10 @@
 use std::collections::HashMap;
 
 use bellcrank_doc::{Fields, NoSignals, Reader, ReductionKind, Response, Table, Value};
-use bellcrank_results::{Reductions, StudyResult, Unit};
+use bellcrank_results::{Reductions, StudyResult, Unit, study_summary};
 
 use super::reference::{Reference, faults};
-use super::{CaseReport, Comparison};
+use super::{CaseReport, Comparison, summary};
 use crate::design::Study;
 use crate::signals::{AllSignals, Signal};
 use crate::{Check, Model, Silent, load};
@@ -55,6 +55,11 @@ impl Case<'_> {
     fn compare(&mut self, reader: &Reader<'_>, check: &Table) -> Result<Comparison, String> {
         let fields = Fields::new(reader, check, "a check");
         let study = fields.optional_string("study").map_or("", |name| name.value);
+        if let Some(path) = fields.optional_string("summary") {
+            let found = self.summed_up(reader, &fields, study, path.value);
+            fields.finish();
+            return found;
+        }
         let wanted = fields.value("value").and_then(|value| number(reader, value)).ok_or("a check without a value")?;
         let found = if let Some(component) = fields.optional_string("unique") {
             self.unique(study, component.value)?
@@ -63,7 +68,8 @@ impl Case<'_> {
         } else if let Some(value) = fields.optional_value("reduce") {
             self.reduced(reader, study, value)?
         } else {
-            let signal = fields.string("signal").ok_or("a check without `signal`, `reduce`, `scalar` or `unique`")?;
+            let signal =
+                fields.string("signal").ok_or("a check without `signal`, `reduce`, `scalar`, `summary` or `unique`")?;
             self.at_row(reader, study, signal.value, fields.optional_value("at"))?
         };
         let tolerance = |key| fields.optional_value(key).and_then(|value| number(reader, value)).unwrap_or(0.0);
@@ -113,6 +119,35 @@ impl Case<'_> {
         let found = scalars.iter().find(|(known, _, _)| known == name);
         let (_, value, unit) = found.ok_or_else(|| format!("study `{study}` has no scalar `{name}`"))?;
         Ok(Found { what, value: *value, unit: unit.clone() })
+    }
+
+    /// A number or a text of the study's summary.
+    fn summed_up(
+        &mut self,
+        reader: &Reader<'_>,
+        fields: &Fields<'_>,
+        study: &str,
+        path: &str,
+    ) -> Result<Comparison, String> {
+        let all = study_summary(self.result(study)?);
+        let place =
+            summary::find(&all, path).ok_or_else(|| format!("study `{study}` has no `{path}` in its summary"))?;
+        let unit = fields.optional_string("unit").map_or("", |unit| unit.value);
+        if !unit.is_empty() && !place.units.contains(&unit) {
+            return Err(format!("`{path}` of study `{study}` is not in {unit}, but in one of {:?}", place.units));
+        }
+        if let Some(text) = fields.optional_string("text") {
+            let same = place.value.as_str() == Some(text.value);
+            let what = format!("{path} is `{}`", text.value);
+            let found = Found { what, value: f64::from(u8::from(same)), unit: Unit::one() };
+            return Ok(comparison(study, found, 1.0, 0.0));
+        }
+        let wanted = plain(reader, fields, "value")?.ok_or("a check without a value")?;
+        let allowed = plain(reader, fields, "rtol")?.unwrap_or(0.0) * wanted.abs()
+            + plain(reader, fields, "atol")?.unwrap_or(0.0);
+        let value = place.number().ok_or_else(|| format!("`{path}` of study `{study}` is not a number"))?;
+        let found = Found { what: path.to_owned(), value, unit: Unit::new(unit, 1.0) };
+        Ok(comparison(study, found, wanted, allowed))
     }
 
     fn at_row(&mut self, reader: &Reader<'_>, study: &str, signal: &str, at: Option<&Value>) -> Result<Found, String> {
@@ -182,6 +217,21 @@ fn number(reader: &Reader<'_>, value: &Value) -> Option<f64> {
     }
     let expression = reader.any_quantity(value, "a number of a check", &mut NoSignals)?;
     Some(expression.eval(reader.parameters().values(), &[]))
+}
+
+/// A number without a unit: those of a summary are in the unit shown there.
+fn plain(reader: &Reader<'_>, fields: &Fields<'_>, key: &'static str) -> Result<Option<f64>, String> {
+    let Some(value) = fields.optional_value(key) else { return Ok(None) };
+    if let bellcrank_doc::ValueKind::Boolean(_) = value.kind {
+        return Ok(number(reader, value));
+    }
+    let what = format!("`{key}` of a check of a summary");
+    let expression =
+        reader.any_quantity(value, &what, &mut NoSignals).ok_or_else(|| format!("{what} cannot be read"))?;
+    if !expression.dimension().is_none() {
+        return Err(format!("{what} is a plain number; its unit goes to `unit`"));
+    }
+    Ok(Some(expression.eval(reader.parameters().values(), &[])))
 }
 
 fn fact(check: &Check, name: &str) -> Option<f64> {

@@ -26,6 +26,7 @@ pub(crate) fn sentences(study: &StudyResult) -> Vec<String> {
 pub(crate) fn tables(study: &StudyResult) -> Vec<Grid> {
     match &study.findings {
         Some(Findings::Sensitivity(found)) => vec![sensitivities(found)],
+        Some(Findings::Optimization(found)) if !found.objective.value.is_finite() => Vec::new(),
         Some(Findings::Optimization(found)) => vec![variables(found), compared(found), constraints(found)],
         Some(Findings::Designs(found)) => vec![failures(found), best(found)],
         Some(Findings::Tolerance(found)) => vec![tolerances(found)],

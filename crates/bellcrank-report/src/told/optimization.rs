@@ -6,6 +6,9 @@ use super::{code, listed, shown};
 use crate::number::{self, relative_change};
 
 pub(super) fn sentences(found: &Optimization) -> Vec<String> {
+    if !found.objective.value.is_finite() {
+        return vec![course(found)];
+    }
     [Some(outcome(found)), Some(course(found)), bounds(found), Some(first_order(found)), written(found)]
         .into_iter()
         .flatten()
@@ -27,6 +30,7 @@ fn outcome(found: &Optimization) -> String {
 fn course(found: &Optimization) -> String {
     let failed = match found.failed_designs {
         0 => String::new(),
+        _ if found.evaluations == 1 => ", which could not be assembled or solved".to_owned(),
         count => format!(", {count} of which could not be assembled or solved"),
     };
     let starts = match found.starts.len() {
@@ -59,7 +63,10 @@ fn status(word: &str) -> String {
 fn bounds(found: &Optimization) -> Option<String> {
     let at = |row: &VariableRow| Some(format!("{} at its {} bound", code(&row.name), row.bound?));
     let variables = found.variables.iter().filter_map(at);
-    let active = |row: &ConstraintRow| row.active.then(|| format!("{} with equality", code(&row.written)));
+    let active = |row: &ConstraintRow| {
+        let met = row.active && row.violation == 0.0;
+        met.then(|| format!("{} with equality", code(&row.written)))
+    };
     let all: Vec<String> = variables.chain(found.constraints.iter().filter_map(active)).collect();
     (!all.is_empty()).then(|| format!("What holds it back: {}.", listed(&all)))
 }
@@ -102,7 +109,8 @@ pub(crate) fn variable_effect(row: &VariableRow, found: &Optimization) -> Option
 
 /// What moving the right side of an active constraint by one display unit does to the objective.
 pub(crate) fn constraint_effect(row: &ConstraintRow, found: &Optimization) -> Option<String> {
-    row.active.then(|| effect(row.multiplier * row.unit.factor, &row.unit.symbol, "on the right side", found))
+    let met = row.active && row.violation == 0.0;
+    met.then(|| effect(row.multiplier * row.unit.factor, &row.unit.symbol, "on the right side", found))
 }
 
 fn effect(si: f64, symbol: &str, what: &str, found: &Optimization) -> String {

@@ -29,7 +29,7 @@ fn worst_case(found: &Tolerance) -> String {
     let exact = found.worst_case_exact.map_or(String::new(), |worst| format!(" (evaluated there: {})", ends(worst)));
     let open = found.inputs.iter().filter(|input| input.half_width.is_infinite()).map(|input| code(&input.name));
     let open: Vec<String> = open.collect();
-    let held = if open.is_empty() { open.join("") } else { format!(", with {} nominal", listed(&open)) };
+    let held = if open.is_empty() { String::new() } else { format!(", {} at ± 3 standard deviations", listed(&open)) };
     format!("With every dimension at the worse end of its tolerance it is {}{exact}{held}.", ends(found.worst_case))
 }
 

@@ -17,7 +17,8 @@ pub struct Tolerance {
     pub limits: (Option<f64>, Option<f64>),
     /// Dimensions with tolerances, the largest contribution to the variance first.
     pub inputs: Vec<ToleranceInput>,
-    /// Lowest and highest value with every dimension at an end of its tolerance, by the derivatives, SI.
+    /// Lowest and highest value with every dimension at an end of its tolerance, by the derivatives, SI; one of which only
+    /// a deviation is given at ± 3 of them.
     pub worst_case: (f64, f64),
     /// The same by evaluating those corners, SI; `None` where it could not be done.
     pub worst_case_exact: Option<(f64, f64)>,
@@ -70,7 +71,7 @@ pub struct SobolIndices {
 /// A Monte Carlo run.
 #[derive(Clone, Debug)]
 pub struct MonteCarlo {
-    /// Samples asked for.
+    /// Samples drawn: those asked for, fewer when the run was stopped.
     pub samples: u64,
     /// Start of the random numbers.
     pub seed: u64,

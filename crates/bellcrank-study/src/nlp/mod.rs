@@ -22,7 +22,7 @@ mod solver;
 mod subproblem;
 mod trial;
 
-pub use multistart::{Multistart, Optimum, multistart, multistart_parallel, multistart_watched};
+pub use multistart::{Multistart, Optimum, Search, multistart, multistart_parallel, multistart_watched};
 pub use problem::{Evaluation, Function, Malformed, Piece, Problem, Relation, Undefined, Values};
 pub use solution::{Kkt, Multipliers, Options, Progress, Solution, Status, Tolerances};
 pub use solver::{solve, solve_watched};

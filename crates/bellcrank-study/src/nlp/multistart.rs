@@ -36,8 +36,21 @@ pub struct Optimum {
     pub solution: Solution,
     /// The starts that led here, from 0, ascending.
     pub starts: Vec<usize>,
-    /// Where the first of them began.
+    /// Where the best of them began.
     pub from: Vec<f64>,
+    /// All searches that led here, the best first.
+    pub searches: Vec<Search>,
+}
+
+/// A start and where it led.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Search {
+    /// Its number, from 0.
+    pub start: usize,
+    /// Where it began.
+    pub from: Vec<f64>,
+    /// Where it ended.
+    pub solution: Solution,
 }
 
 /// Solves from every start, one after the other, until `stop` says so. Distinct answers, best first: feasible before
@@ -203,9 +216,18 @@ fn distinct(
     });
     let mut optima: Vec<Optimum> = Vec::new();
     for (index, (from, solution)) in found {
-        match optima.iter_mut().find(|o| is_same(&o.solution, &solution, ranges, plan)) {
-            Some(optimum) => optimum.starts.push(index),
-            None => optima.push(Optimum { solution, starts: vec![index], from }),
+        let search = Search { start: index, from, solution };
+        match optima.iter_mut().find(|o| is_same(&o.solution, &search.solution, ranges, plan)) {
+            Some(optimum) => {
+                optimum.starts.push(index);
+                optimum.searches.push(search);
+            }
+            None => optima.push(Optimum {
+                solution: search.solution.clone(),
+                starts: vec![index],
+                from: search.from.clone(),
+                searches: vec![search],
+            }),
         }
     }
     optima.iter_mut().for_each(|o| o.starts.sort_unstable());

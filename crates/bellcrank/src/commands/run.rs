@@ -10,6 +10,7 @@ use bellcrank_results::{RunResult, run_summary};
 use crate::config::{Printed, RunConfig};
 use crate::console::Console;
 use crate::exit::{Exit, Refusal};
+use crate::improvement::Improvement;
 use crate::interrupt::Interrupt;
 use crate::loading::{Shown, open};
 use crate::progress::Watch;
@@ -19,13 +20,18 @@ use crate::staging::Staging;
 pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal> {
     let model = open(&config.model, &config.settings, shown(config.printed), console)?;
     refuse_unknown(&model, &config.studies)?;
+    let improvement = Improvement::prepare(config, &model)?;
     let out = config.out.clone().unwrap_or_else(|| default_out(&model));
     let interrupt = Interrupt::listen();
     let staging = Staging::prepare(&out)?;
-    let result = compute(&model, config, &out, interrupt.clone())?;
+    let watch = Watch::new(interrupt.clone(), config.printed, *console);
+    let mut result = compute(&model, config, &out, watch)?;
+    let written = improvement.map_or(Ok(()), |improvement| improvement.write(&model, &mut result));
     let files = staging.publish(&result)?;
     tell(&result, &out, files, config.printed, console)?;
-    Ok(exit(&result, &interrupt))
+    let exit = exit(&result, &interrupt);
+    // A search that failed or was stopped has an exit code of its own.
+    written.map(|()| exit).map_err(|why| if exit == Exit::Done { why } else { Refusal { exit, ..why } })
 }
 
 fn shown(printed: Printed) -> Shown {
@@ -64,8 +70,7 @@ fn refusal(error: RunError) -> Refusal {
     Refusal { exit: Exit::CommandLine, message: error.to_string(), hints: error.hints() }
 }
 
-fn compute(model: &Model, config: &RunConfig, out: &Path, interrupt: Interrupt) -> Result<RunResult, Refusal> {
-    let mut watch = Watch::new(interrupt, config.printed);
+fn compute(model: &Model, config: &RunConfig, out: &Path, mut watch: Watch) -> Result<RunResult, Refusal> {
     let options = RunOptions { threads: config.threads, folder: Some(out.to_owned()), fresh: config.fresh };
     let result = model.run_all(&config.studies, &options, &mut watch);
     watch.finish();

@@ -1,5 +1,6 @@
 //! The command line as its users see it.
 
+mod asks;
 mod check;
 mod documents;
 mod interrupt;

@@ -28,16 +28,17 @@ impl Display {
     }
 
     pub(super) fn row(&mut self, start: usize, at: &At, progress: &mut dyn Progress) {
-        progress.at(start as f64 / self.starts.max(1) as f64, "optimizing");
+        let message = format!("optimizing, iteration {}", at.iteration);
+        progress.at(start as f64 / self.starts.max(1) as f64, &message);
         if self.headed != Some(start) {
             self.headed = Some(start);
             self.head(start).iter().for_each(|line| progress.line(line));
         }
         progress.line(&format!(
-            "{:>5} {:>11} {:>16.9} {:>11.2e} {:>11.2e} {:>11.2e}",
+            "{:>5} {:>11} {:>16} {:>11.2e} {:>11.2e} {:>11.2e}",
             at.iteration,
             at.evaluations,
-            self.unit.show(self.sign * at.objective),
+            digits(self.unit.show(self.sign * at.objective)),
             at.violation,
             at.optimality,
             at.step
@@ -60,4 +61,13 @@ impl Display {
             ),
         ]
     }
+}
+
+/// Eight significant digits: the last steps of a search change no more.
+fn digits(value: f64) -> String {
+    let power = value.abs().log10().floor();
+    if value == 0.0 || !(-4.0..7.0).contains(&power) {
+        return format!("{value:.7e}");
+    }
+    format!("{value:.*}", (7.0 - power) as usize)
 }

@@ -4,7 +4,7 @@ use bellcrank_doc::{Comparison, Dimension};
 use bellcrank_results::{
     Compared, ConstraintRow, FirstOrder, IterationRow, Objective, Optimization, StartRow, Unit, VariableRow,
 };
-use bellcrank_study::nlp::{Optimum, Options, Solution, Status};
+use bellcrank_study::nlp::{Optimum, Options, Search, Solution, Status};
 
 use super::problem::Designing;
 use super::{best, named, sign};
@@ -37,10 +37,10 @@ impl Told<'_, '_> {
                 .collect(),
             compared: self.compared(&after),
             iterations,
-            starts: self.optima.iter().map(|optimum| self.start_row(optimum)).collect(),
+            starts: searches(self.optima).map(|search| self.start_row(search)).collect(),
             iteration_count: solution.iterations,
-            evaluations: self.optima.iter().map(|optimum| optimum.solution.evaluations).sum(),
-            failed_designs: self.optima.iter().map(|optimum| optimum.solution.undefined).sum(),
+            evaluations: searches(self.optima).map(|search| search.solution.evaluations).sum(),
+            failed_designs: searches(self.optima).map(|search| search.solution.undefined).sum(),
             status: named(solution.status).to_owned(),
             first_order: self.first_order(solution),
             written: None,
@@ -136,11 +136,11 @@ impl Told<'_, '_> {
         self.question.terms.iter().enumerate().map(term).collect()
     }
 
-    fn start_row(&self, optimum: &Optimum) -> StartRow {
-        let solution = &optimum.solution;
+    fn start_row(&self, search: &Search) -> StartRow {
+        let solution = &search.solution;
         StartRow {
-            start: optimum.starts.first().copied().unwrap_or(0),
-            from: optimum.from.clone(),
+            start: search.start,
+            from: search.from.clone(),
             point: solution.x.clone(),
             objective: sign(self.question.maximize) * solution.objective,
             violation: solution.violation,
@@ -161,14 +161,11 @@ impl Told<'_, '_> {
         }
     }
 
-    pub(super) fn warnings(&self, found: &Optimization) -> Vec<String> {
+    pub(super) fn warnings(&self, found: &Optimization, hole: Option<&Undefined>) -> Vec<String> {
         let solution = best(self.optima);
         let mut warnings = Vec::new();
         match solution.status {
-            Status::StepTooSmall => warnings.push(
-                "no step improves this design further, though the tolerances are not met: it is good to fewer digits"
-                    .to_owned(),
-            ),
+            Status::StepTooSmall => warnings.push(self.stuck(solution, found)),
             Status::IterationLimit => warnings.push(format!(
                 "stopped after {} iterations before the tolerances were met; allow more with `iterations`",
                 solution.iterations
@@ -178,23 +175,40 @@ impl Told<'_, '_> {
         if solution.objective_gradient == 0.0 && solution.status == Status::Converged {
             warnings.push(format!("`{}` does not depend on the variables here", found.objective.written));
         }
-        if let Err(why) = self.before {
+        if let (Err(why), true) = (self.before, solution.status != Status::UndefinedStart) {
             warnings.push(format!("the model as it is gives no value to compare with: {}", why.message));
         }
-        if found.failed_designs > 0 {
+        warnings.extend(found.variables.iter().filter_map(turned));
+        // A search without a start says it as its failure.
+        if found.failed_designs > 0 && solution.status != Status::UndefinedStart {
+            let (were, them) = if found.failed_designs == 1 { ("design", "it") } else { ("designs", "them") };
+            let why = hole.map_or_else(String::new, |hole| format!("; the first: {}", hole.message));
             warnings.push(format!(
-                "{} designs on the way could not be assembled or solved; the search stepped back from them",
+                "{} {were} on the way could not be assembled or solved, the search stepped back from {them}{why}",
                 found.failed_designs
             ));
         }
         warnings
     }
 
+    /// No step is better: at an optimum that is not met to the last digit, or at the edge of what can be solved.
+    fn stuck(&self, solution: &Solution, found: &Optimization) -> String {
+        const FAR: f64 = 1e-3;
+        let edge = solution.kkt.stationarity > FAR && found.failed_designs > 0;
+        if edge {
+            "the search got stuck where the next designs cannot be assembled or solved: keep it away from there with \
+             bounds or `subject_to`, or look from several `starts`"
+        } else {
+            "no step improves this design further, though the tolerances are not met: it is good to fewer digits"
+        }
+        .to_owned()
+    }
+
     /// What ends the study as failed, with all that was found kept.
-    pub(super) fn failure(&self, problem: &Designing<'_>) -> Option<Undefined> {
+    pub(super) fn failure(&self, found: &Optimization, problem: &Designing<'_>) -> Option<Undefined> {
         let solution = best(self.optima);
         match solution.status {
-            Status::Infeasible => Some(self.infeasible(solution)),
+            Status::Infeasible => Some(Self::infeasible(found)),
             Status::UndefinedStart => {
                 let why =
                     problem.hole.clone().unwrap_or_else(|| Undefined { message: String::new(), hints: Vec::new() });
@@ -210,19 +224,9 @@ impl Told<'_, '_> {
         }
     }
 
-    fn infeasible(&self, solution: &Solution) -> Undefined {
-        let worst = solution.constraints.iter().enumerate().zip(&self.question.constraints);
-        let sizes = worst.map(|((i, c), constraint)| {
-            let equal = constraint.comparison == Comparison::Equal;
-            (if equal { c.abs() } else { c.max(0.0) }, i)
-        });
-        let violated: Vec<String> = sizes
-            .filter(|(size, _)| *size > 0.0)
-            .map(|(size, i)| {
-                let constraint = &self.question.constraints[i];
-                format!("`{}` by {}", constraint.written(), shown(size, &self.asking.unit(constraint.dimension())))
-            })
-            .collect();
+    fn infeasible(found: &Optimization) -> Undefined {
+        let by = |row: &ConstraintRow| format!("`{}` by {}", row.written, shown(row.violation, &row.unit));
+        let violated: Vec<String> = found.constraints.iter().filter(|row| row.violation > 0.0).map(by).collect();
         let message = format!(
             "no design near here satisfies all constraints; the least violation found is {}",
             violated.join(", ")
@@ -230,6 +234,21 @@ impl Told<'_, '_> {
         let hint = "widen the bounds, relax a constraint, or look from several `starts`".to_owned();
         Undefined { message, hints: vec![hint] }
     }
+}
+
+/// All searches, the best first.
+fn searches(optima: &[Optimum]) -> impl Iterator<Item = &Search> {
+    optima.iter().flat_map(|optimum| &optimum.searches)
+}
+
+/// A length that became negative is hardly meant.
+fn turned(row: &VariableRow) -> Option<String> {
+    let (name, min) = (&row.name, row.bounds.0);
+    let open = min == f64::NEG_INFINITY || row.bounds.1 == f64::INFINITY;
+    (open && row.start * row.value < 0.0).then(|| {
+        let [start, value] = [row.start, row.value].map(|si| shown(si, &row.unit));
+        format!("`{name}` went from {start} to {value}: give it bounds if only one sign makes a machine")
+    })
 }
 
 fn shown(si: f64, unit: &Unit) -> String {

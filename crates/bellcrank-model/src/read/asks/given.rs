@@ -107,6 +107,12 @@ pub(super) fn one_in_brackets<'v>(part: PartReader<'_>, value: &'v Value, what: 
 
 /// A list of names of parameters.
 pub(super) fn names<'v>(part: PartReader<'_>, value: &'v Value, what: &str) -> Option<Vec<Told<'v>>> {
+    if let Some(table) = value.as_table() {
+        let names: Vec<String> = table.iter().map(|entry| format!("\"{}\"", entry.key)).collect();
+        let report = Diagnostic::error("wrong-type", value.span, format!("{what} needs a list, found a table"));
+        part.reader.report(report.hint(format!("names in brackets: `[{}]`", names.join(", "))));
+        return None;
+    }
     let list = part.reader.list(one_in_brackets(part, value, what)?, what)?;
     let one = |value: &'v Value| {
         let name = part.reader.string(value, what)?;

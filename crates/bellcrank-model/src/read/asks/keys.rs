@@ -1,6 +1,6 @@
 //! The keys of one asking study, before those of the study it is like are put beneath them.
 
-use bellcrank_doc::{Constraint, Diagnostic, Distribution, Expression, Response, Spanned, Value};
+use bellcrank_doc::{Constraint, Diagnostic, Distribution, Expression, Response, Spanned, Value, ValueKind};
 
 use super::designs::{ReadLevels, read_vary};
 use super::given::{Given, names as parameter_names, one_in_brackets, told, whole};
@@ -186,7 +186,15 @@ fn read_of(keyed: &Keyed<'_>, beneath: &AskKeys) -> Given<Spanned<String>> {
 }
 
 fn read_response(keyed: &Keyed<'_>, of: Referred<'_>, beneath: &AskKeys) -> Given<Response> {
-    Given::needed(keyed, "response", &beneath.response, |value| of.response(value, &keyed.named("response")))
+    Given::needed(keyed, "response", &beneath.response, |value| {
+        if matches!(value.kind, ValueKind::List(_)) {
+            let message = format!("{} is one response, found a list", keyed.named("response"));
+            let hint = "a study for each, with `like` to share the rest";
+            keyed.report(Diagnostic::error("wrong-type", value.span, message).hint(hint));
+            return None;
+        }
+        of.response(value, &keyed.named("response"))
+    })
 }
 
 /// Parameters with bounds of their own, as far as given.

@@ -16,6 +16,9 @@ use crate::design::{Designs, Levels, Method, NamedResponse, Varied};
 /// Designs that a study may have.
 const MOST_DESIGNS: f64 = 1e9;
 
+/// Columns beside those of parameters and responses.
+const OWN_COLUMNS: [&str; 2] = ["design", "reason"];
+
 /// How the designs lie, put together.
 struct Plan {
     method: Method,
@@ -57,6 +60,11 @@ fn answered(asking: &Asking<'_>, all: Vec<Named>) -> Option<Vec<Named>> {
 
 /// Parameters and responses are columns of one table.
 fn no_common_names(asking: &Asking<'_>, columns: &[String], responses: &[Named]) -> Option<()> {
+    if let Some(one) = responses.iter().find(|one| OWN_COLUMNS.contains(&one.response.name.as_str())) {
+        let message = format!("the response `{}` has the name of a column that every sweep has", one.response.name);
+        asking.error("duplicate-name", one.name, message, "give the response another name");
+        return None;
+    }
     let common = responses.iter().find(|one| columns.contains(&one.response.name));
     let Some(one) = common else { return Some(()) };
     let message = format!("the response `{}` has the name of a parameter that this study varies", one.response.name);

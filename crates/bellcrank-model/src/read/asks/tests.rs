@@ -1,10 +1,9 @@
 //! Good studies of all kinds, as they are read.
 
-use std::path::Path;
-
 use bellcrank_doc::{Diagnostics, Distribution, Sources};
 
 use crate::design::{Ask, Levels, Method, Question, Study, Task};
+use crate::disk::read_source;
 use crate::read::{Tables, read_files, read_model};
 use crate::signals::Source;
 
@@ -39,7 +38,8 @@ fn studies(name: &str, text: &str) -> Vec<Study> {
     let path = folder.join("model.toml");
     std::fs::write(&path, format!("{MACHINE}{text}")).expect("a model");
     let (mut sources, mut diagnostics) = (Sources::new(), Diagnostics::new());
-    let files = read_files(&mut sources, Path::new(&path), Vec::new(), &mut diagnostics).expect("files");
+    let main = read_source(&mut sources, &path, &mut diagnostics).expect("a file");
+    let files = read_files(&mut sources, main, &path, Vec::new(), &mut diagnostics).expect("files");
     let read = read_model(files, &Tables::new(&mut sources), &mut diagnostics);
     std::fs::remove_dir_all(&folder).expect("a folder that goes away");
     assert!(diagnostics.is_empty(), "{}", diagnostics.render(&sources, false));
