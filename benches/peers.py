@@ -1,4 +1,4 @@
-"""Table of the figures that peers.sh collected: microseconds a position, and whole processes."""
+"""Table of the figures that peers.sh collected: microseconds a position, studies, and whole processes."""
 import json
 import os
 import pathlib
@@ -51,6 +51,30 @@ if us:
 print(f"{'one position of the lift':54s} {'us CPU':>9s} {'ratio':>8s}")
 for label, value in rows:
     print(f"{label:54s} {value:9.3f} {value / mine:8.2f}")
+
+studies = read("bellcrank-studies")
+if studies:
+    mine = studies["optimum_ms"]
+    rows = [("bellcrank: exact gradients, whole study", mine)]
+    for name, label in (("batch", "SciPy SLSQP on NumPy batched"), ("loop", "SciPy SLSQP, position by position")):
+        seconds = find(scipy, name, "optimise", "cpu")
+        if seconds:
+            rows.append((label, seconds * 1e3))
+    seconds = find(octave, "loop", "optimise_cpu")
+    if seconds:
+        rows.append(("Octave sqp, position by position", seconds * 1e3))
+    print(f"\n{'optimum of the lift, 3 lengths, 601 positions':54s} {'ms CPU':>9s} {'ratio':>8s}")
+    for label, value in rows:
+        print(f"{label:54s} {value:9.2f} {value / mine:8.2f}")
+    sweep = studies["sweep_ms"]
+    print(f"\n{'six sensitivities of the lift, 601 positions':54s} {'ms CPU':>9s} {'sweeps':>8s}")
+    for key, label in (
+        ("sweep", "one sweep for its peak force"),
+        ("recorded_sweep", "one sweep with all signals recorded"),
+        ("six_sensitivities", "six sensitivities of the peak"),
+        ("six_sensitivities_of_all_rows", "six sensitivities of the root mean square"),
+    ):
+        print(f"{label:54s} {studies[key + '_ms']:9.2f} {studies[key + '_ms'] / sweep:8.2f}")
 
 
 def whole(command, cwd=None, repeats=7):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One position of the lift beside the programs that an engineer would use today, all in this call.
+# One position of the lift, and the paper's optimization, beside the programs that an engineer would use today, all in this call.
 #
 #   benches/peers.sh [PEERS]     PEERS: folder of the peer scripts (default ../shared/peers)
 #
@@ -16,6 +16,7 @@ trap 'rm -rf "$out"' EXIT
 
 echo "building" >&2
 cargo bench -q -p bellcrank-multibody --bench cpu -- > "$out/bellcrank.json"
+cargo bench -q -p bellcrank-model --bench cpu -- > "$out/bellcrank-studies.json"
 cargo build -q --release -p bellcrank
 
 absent() { echo "not measured: $1 ($2)" >&2; }
