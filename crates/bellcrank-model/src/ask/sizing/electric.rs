@@ -96,9 +96,6 @@ fn assumed(units: &Units<'_>, kind: Kind, conditions: &Conditions) -> Vec<Proper
 
 fn warnings(selection: &Selection<DriveCandidate>, conditions: &Conditions, loads: &Loads) -> Vec<String> {
     let mut told = Vec::new();
-    if selection.chosen().is_none() {
-        told.push(selection.summary());
-    }
     let over = match loads.duty.basis() {
         Basis::Time | Basis::Speed => None,
         Basis::Travel => Some("equal travel"),

@@ -172,9 +172,6 @@ fn warnings(
     loads: &Loads,
 ) -> Vec<String> {
     let mut told = Vec::new();
-    if selection.chosen().is_none() {
-        told.push(selection.summary());
-    }
     if of.valve.is_some() && loads.requirement.speed.value == 0.0 {
         told.push("nothing moves in these rows, so the valve is not judged".to_owned());
     }
