@@ -2,7 +2,7 @@
 
 use bellcrank_results::{Property, Unit};
 use bellcrank_sizing::electric::{self, Conditions, DriveCandidate, Kind};
-use bellcrank_sizing::{Basis, Quantity, Selection, SizingError, Stroke};
+use bellcrank_sizing::{Basis, Quantity, SizingError, Stroke};
 
 use super::told::{Units, finding, percent, power, property};
 use super::{Found, Loads};
@@ -25,7 +25,7 @@ pub(super) fn run(asking: &Asking<'_>, question: &Sizing, of: &Electric, loads: 
     });
     sizing.requirements = requirements(&units, of.kind, loads);
     sizing.conditions = assumed(&units, of.kind, &conditions);
-    Ok(Found { warnings: warnings(&selection, &conditions, loads), columns: Vec::new(), sizing })
+    Ok(Found { warnings: warnings(&conditions, loads), columns: Vec::new(), sizing })
 }
 
 fn ordered(of: &DriveCandidate, units: &Units<'_>) -> String {
@@ -94,7 +94,7 @@ fn assumed(units: &Units<'_>, kind: Kind, conditions: &Conditions) -> Vec<Proper
     told
 }
 
-fn warnings(selection: &Selection<DriveCandidate>, conditions: &Conditions, loads: &Loads) -> Vec<String> {
+fn warnings(conditions: &Conditions, loads: &Loads) -> Vec<String> {
     let mut told = Vec::new();
     let over = match loads.duty.basis() {
         Basis::Time | Basis::Speed => None,
