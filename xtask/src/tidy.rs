@@ -6,7 +6,8 @@ use std::path::Path;
 use crate::shell::{files, relative, root};
 
 /// Crates that do no input or output, start no threads and read no clock: their callers decide.
-const SILENT: [&str; 4] = ["bellcrank-math", "bellcrank-doc", "bellcrank-multibody", "bellcrank-results"];
+const SILENT: [&str; 5] =
+    ["bellcrank-math", "bellcrank-doc", "bellcrank-multibody", "bellcrank-results", "bellcrank-sizing"];
 
 /// What a silent crate may not name, and where it belongs instead.
 const LOUD: [(&str, &str); 8] = [

@@ -7,6 +7,7 @@
 
 mod ask;
 mod build;
+mod catalogue;
 mod check;
 #[cfg(test)]
 mod derivatives;

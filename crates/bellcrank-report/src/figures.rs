@@ -46,7 +46,9 @@ const MOST_HODOGRAPHS: usize = 24;
 /// shows nothing.
 pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
     let mut figures = study.findings.as_ref().map_or_else(Vec::new, |findings| of_findings(study, findings));
-    if study.table.rows() > 1 {
+    // A choice of a drive has drawn all its rows already.
+    let drawn = matches!(study.findings, Some(Findings::Sizing(_)));
+    if study.table.rows() > 1 && !drawn {
         figures.extend(charts(study));
         figures.extend(hodographs(study));
     }

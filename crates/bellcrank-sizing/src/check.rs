@@ -123,6 +123,8 @@ impl Check {
         }
     }
     pub(crate) fn new(subject: Subject, quantity: Quantity, needed: f64, available: f64, reason: String) -> Check {
+        // A catalogue may say -0, and a share of it would be negative.
+        let available = available + 0.0;
         let enough = needed <= available * (1.0 + ROUNDING) || needed == 0.0;
         let verdict = if enough { Verdict::Passes } else { Verdict::Fails };
         Check { subject, quantity, needed, available, verdict, reason }

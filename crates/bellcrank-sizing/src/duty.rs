@@ -41,6 +41,8 @@ pub struct Duty {
     basis: Basis,
     /// Weight of the step from row i to row i + 1: s, or m or rad.
     weights: Vec<f64>,
+    /// Positions have the opposite sign of the machine's.
+    mirrored: bool,
 }
 
 impl Duty {
@@ -52,7 +54,7 @@ impl Duty {
         rows.iter().enumerate().try_for_each(|(number, row)| finite(number, row))?;
         times(&rows)?;
         let (basis, weights) = weights(&rows);
-        Ok(Duty { rows, basis, weights })
+        Ok(Duty { rows, basis, weights, mirrored: false })
     }
 
     /// A duty of columns of equal length, as a study has them.
@@ -96,9 +98,15 @@ impl Duty {
     }
     /// The same rows after a change that keeps numbers finite and times as they are.
     pub(crate) fn map(&self, change: impl Fn(&Row) -> Row) -> Result<Duty, SizingError> {
-        Duty::new(self.rows.iter().map(change).collect())
+        let mapped = Duty::new(self.rows.iter().map(change).collect())?;
+        Ok(Duty { mirrored: self.mirrored, ..mapped })
     }
-    /// The same duty for a drive mounted the other way round: what pushed pulls.
+    /// The position as the machine counts it, whichever way round the drive is mounted: for reports.
+    pub fn machine_position(&self, position: f64) -> f64 {
+        if self.mirrored { -position } else { position }
+    }
+    /// The same duty for a drive mounted the other way round: what pushed pulls. Reports still tell the machine's
+    /// positions.
     #[must_use]
     pub fn reversed(&self) -> Duty {
         let turn = |row: &Row| Row {
@@ -108,7 +116,7 @@ impl Duty {
             acceleration: -row.acceleration,
             time: row.time,
         };
-        Duty { rows: self.rows.iter().map(turn).collect(), ..self.clone() }
+        Duty { rows: self.rows.iter().map(turn).collect(), mirrored: !self.mirrored, ..self.clone() }
     }
 }
 

@@ -26,7 +26,8 @@ pub trait Candidate {
     }
 }
 
-/// All candidates: those that pass first, smallest first.
+/// All candidates: those that pass first, smallest first; then the others, the one first whose worst check is missed by
+/// least.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Selection<C> {
     /// In order.
@@ -35,18 +36,19 @@ pub struct Selection<C> {
 
 impl<C: Candidate> Selection<C> {
     pub(crate) fn new(mut candidates: Vec<C>) -> Selection<C> {
-        candidates.sort_by(|a, b| b.passes().cmp(&a.passes()).then_with(|| by_size(a, b)));
+        candidates.sort_by(|a, b| {
+            let missed = || if a.passes() { std::cmp::Ordering::Equal } else { missed(a).total_cmp(&missed(b)) };
+            b.passes().cmp(&a.passes()).then_with(missed).then_with(|| by_size(a, b))
+        });
         Selection { candidates }
     }
     /// The smallest that passes; it stands first.
     pub fn chosen(&self) -> Option<&C> {
         self.candidates.first().filter(|candidate| candidate.passes())
     }
-    /// Where none passes: the one whose worst check is missed by least; the smaller of two equals.
+    /// Of those that fail, the one whose worst check is missed by least; the smaller of two equals.
     pub fn nearest(&self) -> Option<&C> {
-        let missed = |c: &&C| c.tightest().map_or(f64::INFINITY, Check::utilization);
-        let failing = self.candidates.iter().filter(|candidate| !candidate.passes());
-        failing.min_by(|a, b| missed(a).total_cmp(&missed(b)))
+        self.candidates.iter().find(|candidate| !candidate.passes())
     }
     /// What to say of the outcome in one sentence.
     pub fn summary(&self) -> String {
@@ -59,6 +61,11 @@ impl<C: Candidate> Selection<C> {
             (None, None) => "there was nothing to choose from".to_owned(),
         }
     }
+}
+
+/// How much more than there is the worst check needs.
+fn missed<C: Candidate>(candidate: &C) -> f64 {
+    candidate.tightest().map_or(f64::INFINITY, Check::utilization)
 }
 
 fn by_size<C: Candidate>(a: &C, b: &C) -> std::cmp::Ordering {

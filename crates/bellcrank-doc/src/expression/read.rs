@@ -181,6 +181,9 @@ fn wanted_hint(node: &Node, found: Dimension, wanted: Dimension) -> Option<Strin
             NodeKind::Number(value) => Some(format!("write `\"-{value} {}\"`", wanted.example_unit())),
             _ => mismatch_hint(found, wanted),
         },
+        _ if wanted == Dimension::FREQUENCY && found == Dimension::ANGULAR_VELOCITY => {
+            Some("a count in a time is written in Hz, or as `10 1/min`".to_owned())
+        }
         _ => mismatch_hint(found, wanted),
     }
 }

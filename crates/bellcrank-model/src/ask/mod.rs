@@ -6,6 +6,7 @@ mod asking;
 mod designs;
 mod optimize;
 mod sensitivity;
+mod sizing;
 mod tolerance;
 
 use std::time::Instant;
@@ -52,6 +53,7 @@ fn answer(asking: &Asking<'_>, result: &mut StudyResult, progress: &mut dyn Prog
         Question::Optimize(question) => optimize::run(asking, question, result, progress),
         Question::Designs(question) => designs::run(asking, question, result, progress),
         Question::Tolerance(question) => tolerance::run(asking, question, result, progress),
+        Question::Sizing(question) => sizing::run(asking, question, result, progress),
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use bellcrank_doc::{Constraint, Distribution, Expression, ParameterSet, Reduction, Response, Span, Spread};
 
+use super::Sizing;
 use crate::signals::Signal;
 
 /// What is asked of which study.
@@ -24,6 +25,7 @@ pub(crate) enum Question {
     Optimize(Optimize),
     Designs(Designs),
     Tolerance(Tolerance),
+    Sizing(Sizing),
 }
 
 /// Derivatives of a response.
@@ -203,6 +205,7 @@ impl Question {
                 of.scattered.iter().flat_map(|s| [&s.half_width, &s.sigma]).flatten().for_each(&mut *visit);
                 of.limits.iter().flatten().for_each(&mut *visit);
             }
+            Question::Sizing(of) => of.each_expression(visit),
         }
     }
 
@@ -213,6 +216,7 @@ impl Question {
             Question::Optimize(of) => of.variables.iter().map(|v| v.parameter).collect(),
             Question::Designs(of) => of.vary.iter().map(|v| v.parameter).collect(),
             Question::Tolerance(of) => of.scattered.iter().map(|s| s.parameter).collect(),
+            Question::Sizing(_) => Vec::new(),
         }
     }
 }

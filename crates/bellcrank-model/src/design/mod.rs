@@ -5,6 +5,7 @@ mod force;
 mod joint;
 mod motion;
 mod scope;
+mod sizing;
 mod study;
 
 use bellcrank_doc::Span;
@@ -20,6 +21,7 @@ pub(crate) use force::{Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Law, Prescribed, Segment, SegmentKind};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
+pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
 pub(crate) use study::{Hold, Over, Study, Sweep, Task};
 
 /// A whole machine with all its subsystems.

@@ -12,6 +12,7 @@ use super::bodies::entries;
 use super::motions::ReadMotions;
 use super::study_keys::{Referred, StudyKeys, overlaid};
 use super::{Machine, PartReader, Tables};
+use crate::catalogue::stock;
 use crate::design::{Over, Scope, Study, Task, Values};
 use crate::keyed::Keyed;
 use crate::names;
@@ -51,7 +52,9 @@ pub(crate) fn read(
     let designs = |path: &Path, span, parameters: &ParameterSet| {
         tables.with(path, span, |sources, id, reports| design_table(sources, id, parameters, reports))
     };
-    let of = Referred { part, machine, motions, catalogue, designs: &designs, studies: &names, signals: &signals };
+    let catalogues = |path: &Path, span| tables.with(path, span, stock);
+    let (designs, catalogues) = (&designs, &catalogues);
+    let of = Referred { part, machine, motions, catalogue, designs, catalogues, studies: &names, signals: &signals };
     let mut reading = Reading { of, entries: &entries, states: vec![State::Unread; entries.len()] };
     for (index, entry) in entries.iter().enumerate() {
         if let Some(fault) = names::fault(entry, "study") {

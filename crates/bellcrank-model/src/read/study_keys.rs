@@ -8,7 +8,7 @@ use bellcrank_doc::{
 };
 use bellcrank_multibody::Coordinate;
 
-use super::asks::{AskKeys, DesignTable};
+use super::asks::{AskKeys, CatalogueFiles, DesignTable};
 use super::motions::ReadMotions;
 use super::{Machine, PartReader};
 use crate::design::{Hold, Quantity, Sweep};
@@ -52,6 +52,8 @@ pub(crate) struct Referred<'a> {
     pub(crate) catalogue: &'a Catalogue,
     /// Reads tables of designs.
     pub(crate) designs: &'a DesignFiles<'a>,
+    /// Reads catalogues of drives.
+    pub(crate) catalogues: &'a CatalogueFiles<'a>,
     /// Names of all studies.
     pub(crate) studies: &'a [&'a str],
     /// Signals in responses of all studies: one list, for a study inherits keys of others.

@@ -9,7 +9,7 @@ use super::keys::Shape::{
 use super::keys::{Key, Schema, Short};
 
 /// Kinds of studies that ask, and are read into [`crate::design::Ask`].
-pub(crate) const ASKING: &[&str] = &["sensitivity", "optimize", "sweep", "tolerance"];
+pub(crate) const ASKING: &[&str] = &["sensitivity", "optimize", "sweep", "tolerance", "sizing"];
 
 /// Kinds of studies that can be asked: they have rows of signals.
 pub(crate) const WITH_ROWS: &[&str] = &["kinematics", "inverse-dynamics", "statics", "dynamics"];

@@ -114,6 +114,7 @@ fn shape(of: Shape) -> Value {
     match of {
         Shape::Version => json!({ "const": 1 }),
         Shape::Text | Shape::Name => json!({ "type": "string" }),
+        Shape::Texts => json!({ "type": "array", "items": { "type": "string" } }),
         Shape::Names => reference("names"),
         Shape::Boolean => json!({ "type": "boolean" }),
         Shape::Whole(from, to) => json!({ "type": "integer", "minimum": from, "maximum": to }),

@@ -42,6 +42,8 @@ pub(crate) enum Shape {
     Version,
     /// Any text.
     Text,
+    /// A list of texts.
+    Texts,
     /// The name of something else in the file.
     Name,
     /// A list of such names.

@@ -4,6 +4,7 @@ mod asks;
 mod joints_and_forces;
 mod json;
 mod keys;
+mod sizing;
 mod studies;
 mod tables;
 
@@ -11,5 +12,6 @@ pub(crate) use asks::{ASKING, LIMITS, OBJECTIVE, RANGE, SCATTER, VARIABLE, WITH_
 pub(crate) use joints_and_forces::{FORCE, JOINT};
 pub use json::schema;
 pub(crate) use keys::{AXES, Along, DIRECTIONS, Key, Schema, Shape};
+pub(crate) use sizing::{ELECTRIC_KEYS, PNEUMATIC_KEYS};
 pub(crate) use studies::{AVAILABLE, OPEN, STUDY};
 pub(crate) use tables::{BODY, GROUND, MODEL, MOTION, PLACE, SEGMENT, SUBSYSTEM};

@@ -5,14 +5,15 @@ use bellcrank_doc::Dimension as D;
 use super::asks::{DESIGNS, OF, OPTIMIZE, SENSITIVITY, TOLERANCE};
 use super::keys::Shape::{Map, Name, Names, NamesOrMap, Response, Table, Value};
 use super::keys::{Key, Kind, Schema};
+use super::sizing::SIZING;
 use super::tables::{DRIVE, SWEEP};
 
 /// Kinds that this version runs.
 pub(crate) const AVAILABLE: &[&str] =
-    &["kinematics", "inverse-dynamics", "statics", "sensitivity", "optimize", "sweep", "tolerance"];
+    &["kinematics", "inverse-dynamics", "statics", "sensitivity", "optimize", "sweep", "tolerance", "sizing"];
 
 /// Kinds whose keys are not settled: an unknown key there is no error yet.
-pub(crate) const OPEN: &[&str] = &["sizing", "workspace", "modes", "stress"];
+pub(crate) const OPEN: &[&str] = &["workspace", "modes", "stress"];
 
 const fn kind(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Kind {
     Kind { name, doc, keys }
@@ -59,7 +60,7 @@ pub(crate) static STUDY: Schema = Schema {
         kind("optimize", "the best parameters", OPTIMIZE),
         kind("sweep", "responses over many designs", DESIGNS),
         kind("tolerance", "scatter of a response", TOLERANCE),
-        kind("sizing", "sections and drives from loads", &[OF]),
+        kind("sizing", "a standard cylinder or an electric drive for the force, stroke and speed of a drive", SIZING),
         kind("workspace", "where a point can go", &[OF]),
         kind("modes", "natural frequencies", &[OF]),
         kind("stress", "stresses of flexible bodies", &[OF]),

@@ -33,12 +33,15 @@ fn the_schema_names_every_kind() {
 fn the_examples_of_the_page_are_read() {
     let page = std::fs::read_to_string(root().join("docs/model-file.md")).expect("the page");
     let section = page.split("\n## ").find(|section| section.starts_with("Studies that ask")).expect("the section");
-    let examples: String = section.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
-    assert_eq!(examples.matches("[studies.").count(), 7, "{examples}");
+    let blocks = section.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
+    let (examples, catalogues): (Vec<&str>, Vec<&str>) = blocks.partition(|block| block.starts_with("[studies."));
+    let examples = examples.concat();
+    assert_eq!(examples.matches("[studies.").count(), 9, "{examples}");
     let lift = std::fs::read_to_string(lift()).expect("the lift");
     let machine = lift.split("[studies.influence]").next().expect("a machine");
     let scratch = Scratch::new("page");
     scratch.write("designs.csv", "l31 [mm],l5 [mm]\n700,900\n720,950\n");
+    scratch.write("my-drives.toml", catalogues.concat());
     let loaded = load(&scratch.write("model.toml", format!("{machine}{examples}")), &[]);
     assert!(loaded.diagnostics.is_empty(), "{}", rendered(&loaded));
 }

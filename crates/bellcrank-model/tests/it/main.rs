@@ -9,6 +9,7 @@ mod improve;
 mod lift;
 mod random;
 mod residuals;
+mod sizing;
 mod studies;
 mod subsystems;
 mod suite;

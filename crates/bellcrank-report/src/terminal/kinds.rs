@@ -13,7 +13,9 @@ use crate::told::{self, by_weight, shown};
 const MOST_ROWS: usize = 12;
 /// Designs named for a response.
 const BEST_DESIGNS: usize = 5;
-const BEST_CANDIDATES: usize = 5;
+/// Candidates that pass, and those that come nearest.
+const PASSING: usize = 3;
+const FAILING: usize = 2;
 /// The longest bar, characters.
 const BAR: f64 = 20.0;
 
@@ -189,11 +191,13 @@ fn tolerances(found: &Tolerance) -> Grid {
 /// The first ones, and why those fail that do.
 fn candidates(found: &Sizing) -> Grid {
     let mut grid = Grid::new(["candidate", "", ""]);
-    for candidate in found.candidates.iter().take(BEST_CANDIDATES) {
+    let of = |passes: bool| found.candidates.iter().filter(move |candidate| candidate.passes == passes);
+    let shown: Vec<&Candidate> = of(true).take(PASSING).chain(of(false).take(FAILING)).collect();
+    for candidate in &shown {
         let word = if candidate.passes { "passes" } else { "FAILS" };
         grid.push(vec![Cell::left(&candidate.name), Cell::left(word), Cell::left(&why(candidate))]);
     }
-    if let Some(rest) = found.candidates.len().checked_sub(BEST_CANDIDATES).filter(|rest| *rest > 0) {
+    if let Some(rest) = found.candidates.len().checked_sub(shown.len()).filter(|rest| *rest > 0) {
         grid.push(vec![Cell::left(&format!("and {rest} more candidates in the report"))]);
     }
     grid
@@ -204,7 +208,8 @@ fn why(candidate: &Candidate) -> String {
     let failed: Vec<_> = candidate.checks.iter().filter(|check| check.passes == Some(false)).collect();
     let keys: Vec<&str> = failed.iter().map(|check| check.key.as_str()).collect();
     match (failed.first(), candidate.checks.first()) {
-        (Some(first), _) => format!("{}: {}", keys.join(", "), first.reason),
+        (Some(first), _) if failed.len() == 1 => first.reason.clone(),
+        (Some(first), _) => format!("{}: {}", keys.join(", ").replace('_', " "), first.reason),
         (None, Some(first)) => first.reason.clone(),
         (None, None) => String::new(),
     }

@@ -1,6 +1,6 @@
 //! A drive in words.
 
-use bellcrank_results::{Candidate, Check, Sizing};
+use bellcrank_results::{Check, Sizing};
 
 use super::{code, listed, shown};
 
@@ -17,7 +17,7 @@ fn choice(found: &Sizing) -> String {
     match found.chosen.and_then(|index| found.candidates.get(index)) {
         Some(chosen) => {
             format!(
-                "Proposed for {}: {}, the first of {passing} that pass every check, of {count} looked at.",
+                "Proposed for {}: {}, the smallest of {passing} that pass every check, of {count} looked at.",
                 code(&found.drive),
                 code(&chosen.name)
             )
@@ -29,8 +29,7 @@ fn choice(found: &Sizing) -> String {
 
 /// The one that fails least.
 fn nearest(found: &Sizing) -> String {
-    let failed = |candidate: &Candidate| candidate.checks.iter().filter(|check| check.passes == Some(false)).count();
-    let Some(nearest) = found.candidates.iter().min_by_key(|candidate| failed(candidate)) else { return String::new() };
+    let Some(nearest) = found.nearest.and_then(|index| found.candidates.get(index)) else { return String::new() };
     let reasons: Vec<String> =
         nearest.checks.iter().filter(|check| check.passes == Some(false)).map(|check| check.reason.clone()).collect();
     format!("; nearest is {}, which fails: {}", code(&nearest.name), listed(&reasons))

@@ -86,7 +86,7 @@ fn a_scatter_names_yield_and_culprit() {
 fn a_drive_is_proposed_and_others_are_refused_with_reasons() {
     let page = render_html(&kinds::run());
     let parts = [
-        "Proposed for <code>slide</code>: <code>ISO 15552 160 x 40, stroke 160</code>, the first of 3",
+        "Proposed for <code>slide</code>: <code>ISO 15552 160 x 40, stroke 160</code>, the smallest of 3",
         "<span class=\"fail\">FAIL</span> push: 6474\u{a0}N is 215\u{a0}% of the 3016\u{a0}N at 6\u{a0}bar",
         "not checked</span> speed",
         "<title>working pressure</title>",

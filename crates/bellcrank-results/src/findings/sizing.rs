@@ -15,10 +15,12 @@ pub struct Sizing {
     pub requirements: Vec<Property>,
     /// Assumptions: supply pressure, load factor, end conditions, safety.
     pub conditions: Vec<Property>,
-    /// All candidates, those that pass first, smallest first.
+    /// All candidates: those that pass first, smallest first; then the others, the nearest first.
     pub candidates: Vec<Candidate>,
     /// The one proposed.
     pub chosen: Option<usize>,
+    /// Where none passes: the one whose worst check is missed by least.
+    pub nearest: Option<usize>,
 }
 
 /// A labelled number.

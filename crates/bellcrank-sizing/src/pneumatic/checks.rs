@@ -25,6 +25,11 @@ impl Trial<'_> {
         checks
     }
 
+    /// A position of the duty as the machine counts it.
+    fn place(&self, position: f64) -> String {
+        shown(self.duty.machine_position(position), Quantity::Length)
+    }
+
     fn push(&self) -> Check {
         let theoretical = push(self.cylinder.bore, self.conditions.supply.pressure);
         self.force(Subject::Push, theoretical, &self.requirement.push)
@@ -42,7 +47,7 @@ impl Trial<'_> {
         let product = format!("{} × {}{seals} = {is}", shown(theoretical, Quantity::Force), number(load_factor));
         let key = subject.key();
         let reason = match peak.value > 0.0 {
-            true => format!("{key} {product}, needed {needed} at {}", shown(peak.position, Quantity::Length)),
+            true => format!("{key} {product}, needed {needed} at {}", self.place(peak.position)),
             false => format!("{key} {product}, none needed"),
         };
         Check::new(subject, Quantity::Force, peak.value, usable, reason)
@@ -106,7 +111,7 @@ impl Trial<'_> {
             return Check::unknown(Subject::Speed, Quantity::Speed, peak.value, f64::NAN, why);
         };
         let (is, needed) = both(limit, peak.value, Quantity::Speed);
-        let reason = format!("speed limit {is}, needed {needed} at {}", shown(peak.position, Quantity::Length));
+        let reason = format!("speed limit {is}, needed {needed} at {}", self.place(peak.position));
         Check::new(Subject::Speed, Quantity::Speed, peak.value, limit, reason)
     }
 
@@ -143,7 +148,7 @@ impl Trial<'_> {
             return Check::unknown(Subject::Valve, Quantity::Flow, 0.0, f64::NAN, why);
         };
         let (is, wanted) = both(available, needed, Quantity::Flow);
-        let reason = format!("valve {is}, needed {wanted} at {}", shown(position, Quantity::Length));
+        let reason = format!("valve {is}, needed {wanted} at {}", self.place(position));
         Check::new(Subject::Valve, Quantity::Flow, needed, available, reason)
     }
     /// Flow needed, flow the valve gives against the chamber's pressure, position.

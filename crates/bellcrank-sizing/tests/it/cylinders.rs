@@ -42,7 +42,7 @@ fn the_lift_gets_a_bore_of_125() {
     let sizes = [cylinder(0.16, 0.04), cylinder(0.08, 0.025), cylinder(0.125, 0.032), cylinder(0.1, 0.025)];
     let found = select(&lift(), &sizes, &conditions()).unwrap();
     let order: Vec<&str> = found.candidates.iter().map(Candidate::name).collect();
-    assert_eq!(order, ["125", "160", "80", "100"]);
+    assert_eq!(order, ["125", "160", "100", "80"]);
     let chosen = found.chosen().unwrap();
     assert_eq!(chosen.stroke, Stroke::Standard(0.16));
     assert_eq!(found.summary(), "`125` is the smallest that passes");

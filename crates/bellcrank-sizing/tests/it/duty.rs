@@ -34,6 +34,9 @@ fn a_lift_is_pushed_all_the_way() {
     assert_eq!((turned.pull.value, turned.push.value), (4844.52, 0.0));
     assert_eq!((turned.power.value, turned.rms_effort), (asked.power.value, asked.rms_effort));
     assert_eq!((turned.extending.speed.value, turned.retracting.speed.value), (0.0, 0.02));
+    // Reports tell the place of the machine.
+    let place = duty.reversed().machine_position(turned.pull.position);
+    assert_eq!(place, asked.push.position);
 }
 
 /// A load that is lowered is still pushed against; its power comes back.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bellcrank_doc::{Diagnostic, Entry, Expression, Parameter, ParameterSet, Reduction, Response, Span};
 
-use super::{AskKeys, Asked, optimize, sweep, tolerance_of};
+use super::{AskKeys, Asked, optimize, sizing_of, sweep, tolerance_of};
 use crate::design::{Ask, Question, Sensitivity};
 use crate::read::PartReader;
 use crate::signals::Signal;
@@ -31,6 +31,7 @@ pub(crate) fn ask(asking: &Asking<'_>, keys: AskKeys) -> Option<Ask> {
         "optimize" => Question::Optimize(optimize::optimize(asking, keys)?),
         "sweep" => Question::Designs(sweep::designs(asking, keys)?),
         "tolerance" => Question::Tolerance(tolerance_of::tolerance(asking, keys)?),
+        "sizing" => Question::Sizing(sizing_of::sizing(asking, *keys.sizing)?),
         other => unreachable!("`{other}` is in `ASKING`, but nobody reads it"),
     };
     Some(Ask { of: asking.asked.name.to_owned(), of_span, signals: asking.signals.clone(), question })

@@ -5,6 +5,7 @@ use bellcrank_doc::{Constraint, Diagnostic, Distribution, Expression, Response, 
 use super::designs::{ReadLevels, read_vary};
 use super::given::{Given, names as parameter_names, one_in_brackets, told, whole};
 use super::objective::{Objective, read_objective};
+use super::sizing::SizingKeys;
 use super::table::{DesignTable, read_designs};
 use super::tolerance::{read_limits, read_tolerances};
 use crate::design::{Method, NamedResponse, Scattered, Variable};
@@ -37,6 +38,7 @@ pub(crate) struct AskKeys {
     pub(super) limits: Given<[Option<Expression>; 2]>,
     pub(super) sobol: Given<bool>,
     pub(super) distribution: Given<Distribution>,
+    pub(super) sizing: Box<SizingKeys>,
 }
 
 /// A response with the name of its column and where that stands.
@@ -91,6 +93,7 @@ impl AskKeys {
                 }),
                 ..common
             },
+            Some("sizing") => AskKeys { sizing: Box::new(SizingKeys::read(keyed, of)), ..common },
             _ => AskKeys::default(),
         }
     }
@@ -158,6 +161,7 @@ impl AskKeys {
             limits: self.limits.or(beneath.limits),
             sobol: self.sobol.or(beneath.sobol),
             distribution: self.distribution.or(beneath.distribution),
+            sizing: Box::new(self.sizing.over(*beneath.sizing)),
         }
     }
 }

@@ -10,6 +10,8 @@ mod given;
 mod keys;
 mod objective;
 mod optimize;
+mod sizing;
+mod sizing_of;
 mod source;
 mod sweep;
 mod table;
@@ -20,5 +22,6 @@ mod tolerance_of;
 
 pub(crate) use finish::{Asking, ask};
 pub(crate) use keys::AskKeys;
+pub(crate) use sizing::CatalogueFiles;
 pub(crate) use source::Asked;
 pub(crate) use table::{DesignTable, design_table};

@@ -3,6 +3,7 @@
 use bellcrank_doc::{Diagnostic, Dimension, Reduction, Span};
 use bellcrank_multibody::Coordinate;
 
+use crate::measure::Motion;
 use crate::read::study_keys::{Referred, StudyKeys};
 use crate::schema::Along;
 use crate::signals::{Level, Signal, Source};
@@ -42,7 +43,8 @@ impl Asked<'_> {
         Some(fault.hint(format!("study `{}` goes over {}", self.name, self.goes_over())))
     }
 
-    fn fault(&self, signal: Signal, span: Span) -> Option<Diagnostic> {
+    /// What is wrong with asking for a signal.
+    pub(super) fn fault(&self, signal: Signal, span: Span) -> Option<Diagnostic> {
         let column = self.of.catalogue.column(signal)?;
         let error = |message: String| Diagnostic::error("no-signal", span, message);
         let (signal_name, study) = (&column.name, self.name);
@@ -94,7 +96,7 @@ impl Asked<'_> {
     }
 
     /// Coordinates that carry efforts there, as the run chooses them.
-    fn drives(&self) -> Vec<Coordinate> {
+    pub(super) fn drives(&self) -> Vec<Coordinate> {
         let keys = self.keys;
         let motions = &self.of.motions.list;
         let of_motions = |indices: Vec<usize>| -> Vec<Coordinate> {
@@ -125,6 +127,28 @@ impl Asked<'_> {
             [] => format!("study `{}` has no drives", self.name),
             names => format!("drives of study `{}`: {}", self.name, names.join(", ")),
         }
+    }
+
+    /// The one drive among several that does not only hold; else the one there is.
+    pub(super) fn only_drive<'d>(&self, all: &'d [Coordinate]) -> &'d [Coordinate] {
+        let held = self.keys.holds.iter().flatten().count();
+        match all.len() - held {
+            0 => all,
+            moving => &all[..moving],
+        }
+    }
+
+    /// What a coordinate counts.
+    pub(super) fn motion(&self, c: Coordinate) -> Motion {
+        let joint = self.of.machine.joints.get(c.joint.0).map(|joint| joint.coordinates(self.of.part.planar));
+        joint.and_then(|motions| motions.get(c.index).copied()).unwrap_or(Motion::Slide)
+    }
+
+    /// `slide`, or `J.1` for one of several.
+    pub(super) fn coordinate(&self, c: Coordinate) -> String {
+        let Some(joint) = self.of.machine.joints.get(c.joint.0) else { return String::new() };
+        let several = joint.coordinates(self.of.part.planar).len() > 1;
+        if several { format!("{}.{}", joint.name, c.index) } else { joint.name.clone() }
     }
 
     /// The name of the first signal of a source.

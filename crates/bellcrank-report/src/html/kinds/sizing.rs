@@ -6,10 +6,12 @@ use super::super::Escaped;
 use super::super::rows::{Rows, code, number, symbol, words};
 use super::pictures;
 use crate::FigureFile;
-use crate::told::{shown, word};
+use crate::told::{about, word};
 
 /// Candidates with all of their checks; the file has all.
 const MOST_CANDIDATES: usize = 24;
+/// What a candidate is needs no more.
+const DIGITS: usize = 4;
 
 pub(super) fn section(found: &Sizing, figures: &[FigureFile]) -> String {
     let lists = [("Needed", &found.requirements), ("Assumed", &found.conditions)];
@@ -50,8 +52,11 @@ fn cells(candidate: &Candidate, chosen: bool) -> [String; 4] {
         (false, true) => "<span class=\"pass\">passes</span>",
         (false, false) => "<span class=\"fail\">FAILS</span>",
     };
-    let properties: Vec<String> =
-        candidate.properties.iter().map(|one| format!("{} {}", one.label, shown(one.value, &one.unit))).collect();
+    let properties: Vec<String> = candidate
+        .properties
+        .iter()
+        .map(|one| format!("{} {}", one.label, about(one.value, &one.unit, DIGITS)))
+        .collect();
     let checks: String = candidate.checks.iter().map(check).collect();
     [
         code(&candidate.name),
@@ -67,10 +72,8 @@ fn check(check: &Check) -> String {
         Some(false) => "fail",
         None => "unique",
     };
-    format!(
-        "<li><span class=\"{class}\">{}</span> {}: {}</li>",
-        word(check),
-        Escaped(&check.key.replace('_', " ")),
-        words(&check.reason)
-    )
+    let key = check.key.replace('_', " ");
+    // A reason that begins with what it is about says it itself.
+    let about = if check.reason.starts_with(&key) { String::new() } else { format!("{}: ", Escaped(&key)) };
+    format!("<li><span class=\"{class}\">{}</span> {about}{}</li>", word(check), words(&check.reason))
 }

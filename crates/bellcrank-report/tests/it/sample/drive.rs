@@ -201,5 +201,6 @@ pub fn sizing() -> Sizing {
         ],
         candidates,
         chosen: Some(0),
+        nearest: None,
     }
 }

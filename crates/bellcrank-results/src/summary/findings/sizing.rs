@@ -6,14 +6,15 @@ use super::super::values::{object, quantity, shown};
 use crate::{Candidate, Check, Property, Sizing};
 
 pub(super) fn keys(found: &Sizing) -> Map<String, Value> {
-    let chosen = found.chosen.and_then(|index| found.candidates.get(index));
+    let name = |index: Option<usize>| index.and_then(|index| found.candidates.get(index)).map(|one| &one.name);
     object([
         ("of", json!(found.of)),
         ("drive", json!(found.drive)),
         ("drive_kind", json!(found.kind)),
         ("requirements", properties(&found.requirements)),
         ("conditions", properties(&found.conditions)),
-        ("chosen", json!(chosen.map(|candidate| &candidate.name))),
+        ("chosen", json!(name(found.chosen))),
+        ("nearest", json!(name(found.nearest))),
         ("candidates", found.candidates.iter().map(candidate).collect()),
     ])
 }

@@ -189,6 +189,7 @@ fn sizing() -> Sizing {
             }],
         }],
         chosen: Some(0),
+        nearest: None,
     }
 }
 
