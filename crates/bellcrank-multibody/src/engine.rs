@@ -226,7 +226,8 @@ pub trait Engine: Readings<f64> + Send {
     fn freedom(&mut self) -> Freedom;
     /// The same machine with other numbers: what joins what must not differ. Every coordinate goes to its start;
     /// then comes [`Engine::assemble`] as for a new machine. [`Engine::prepare`] for what was prepared before takes
-    /// the degrees of freedom on trust, so a family of designs pays for its ranks once.
+    /// the degrees of freedom on trust, so a family of designs pays for its ranks once; assembly gives up after fewer
+    /// random restarts than for a new machine.
     fn renew(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError>;
     /// Chooses what is prescribed; checks that it takes every degree of freedom, no more.
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError>;

@@ -19,6 +19,8 @@ use bellcrank_math::{Components, Space};
 const MOST_STEPS: usize = 120;
 /// Random restarts before giving up, for machines of ordinary size.
 const MOST_RESTARTS: usize = 60;
+/// The same for one machine of a family: where its starts do not lead, luck seldom does, and there may be a million.
+const RENEWED_RESTARTS: usize = 4;
 /// Largest gap of an assembled machine, in machine sizes.
 const CLOSED: f64 = 1e-11;
 /// The same where equations are redundant and dimensions may be rounded.
@@ -177,7 +179,11 @@ impl<S: Space<T = f64>> Machine<S> {
         let (held, wished) = self.asked(hold);
         let mut iterations = 0;
         let mut nearest: Option<(f64, MechanismError)> = None;
-        let restarts = if self.mech.nv > 500 { 0 } else { MOST_RESTARTS };
+        let restarts = match (self.mech.nv > 500, self.renewed) {
+            (true, _) => 0,
+            (false, true) => RENEWED_RESTARTS,
+            (false, false) => MOST_RESTARTS,
+        };
         for attempt in 0..=restarts {
             self.go_to_start();
             self.place_held(&held);

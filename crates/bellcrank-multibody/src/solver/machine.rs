@@ -60,6 +60,8 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) prepared: Option<Box<Prepared>>,
     /// Systems of the machine before [`Engine::renew`], good for the same actuation.
     pub(crate) kept: Option<Box<Prepared>>,
+    /// It has taken other numbers.
+    pub(crate) renewed: bool,
     /// Joint reactions are left out where the drives can be had without.
     pub(crate) only_drives: bool,
     pub(crate) history: History,
@@ -113,6 +115,7 @@ impl<S: Space<T = f64>> Machine<S> {
             prepared: None,
             kept: None,
             only_drives: false,
+            renewed: false,
             history: History::new(mech.nq),
             inputs: vec![0.0; mech.inputs],
             outputs: vec![Output::default(); mech.elements.len()],
@@ -153,6 +156,7 @@ impl<S: Space<T = f64>> Machine<S> {
         }
         self.time = 0.0;
         self.tangent = None;
+        self.renewed = true;
         self.go_to_start();
         Ok(())
     }
