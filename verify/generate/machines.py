@@ -12,6 +12,7 @@ import maximal
 from reference import Reference, ROOT
 from closed_forms import e, rot2, cross, deg, Rz, Rx, TOL
 from published_cases import slider_crank, four_bar_forces, lift
+from optima import slider_crank_questions, four_bar_questions, lamp_questions
 
 mp.mp.dps = 40
 D = mp.pi / 180
@@ -140,6 +141,7 @@ for d in range(0, 360, 60):
 fine = [slider_crank(d * deg, 100.0)["torque"] for d in range(361)]
 ref.value("turn", max(fine), "N*m", reduce="max(drive.crank.force)", rtol=1e-9)
 ref.value("turn", min(fine), "N*m", reduce="min(drive.crank.force)", rtol=1e-9)
+slider_crank_questions(ref)
 ref.fact(degrees_of_freedom=1, loops=1, redundant=0, bodies=3, joints=4).write(*out("slider-crank"))
 
 for name, spatial in (("four-bar", False), ("four-bar-spatial", True)):
@@ -162,6 +164,7 @@ for name, spatial in (("four-bar", False), ("four-bar-spatial", True)):
         ref.uniqueness({f"{j}.{c}": c in ("fx", "fy", "mz") for j in ("crank", "A", "B", "rocker") for c in ("fx", "fy", "fz", "mx", "my", "mz")})
     else:
         ref.uniqueness({"crank.fx": True, "B.fy": True})
+        four_bar_questions(ref)
     ref.write(*out(name))
 
 # ---------------------------------------------------------------- Stephenson III
@@ -476,6 +479,7 @@ for d in (-60, -20, 15, 60):
     q = d * deg
     L = math.sqrt(0.12**2 + 0.09**2 - 2 * 0.12 * 0.09 * math.sin(q))
     ref.row("effort", {"joint.hinge.position": f"{d} deg"}, {"drive.hinge.force": (math.cos(q) * (0.85 * 9.81 * 0.42 - 520 * 0.12 * 0.09 * (1 - 0.05 / L)), "N*m")}, atol=TOL)
+lamp_questions(ref)
 ref.fact(degrees_of_freedom=1, loops=0, redundant=0, bodies=1, joints=1).write(*out("lamp"))
 
 # ---------------------------------------------------------------- toggle press

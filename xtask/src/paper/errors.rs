@@ -2,7 +2,7 @@
 
 use super::figure::signed;
 use super::machine::{Study, rewritten};
-use super::reruns::value;
+use super::questions::value;
 use bellcrank_results::ParameterRow;
 
 const ANGLES: [f64; 5] = [-30.0, -15.0, 0.0, 15.0, 30.0];

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bellcrank_model::{Loaded, Model, Silent, load};
-use bellcrank_results::{ParameterRow, StudyResult};
+use bellcrank_results::{Findings, ParameterRow, StudyResult};
 
 use crate::shell::root;
 
@@ -64,6 +64,12 @@ pub(crate) fn rewritten(name: &str, pieces: &[(&str, &str)]) -> Result<Study, St
     let file = room.0.join("lift.toml");
     std::fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
     run(&file, name, &[])
+}
+
+/// What a study of the shipped lift that asks another one found.
+pub(crate) fn findings(name: &str) -> Result<Findings, String> {
+    let found = run(&root().join(MODEL), name, &[])?.0.findings;
+    found.ok_or_else(|| format!("{MODEL}, {name}: it finds nothing"))
 }
 
 /// The parameters of the shipped lift.

@@ -6,7 +6,7 @@ mod figure;
 mod machine;
 mod page;
 mod positions;
-mod reruns;
+mod questions;
 
 use crate::shell::{Outcome, root};
 

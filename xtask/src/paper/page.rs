@@ -4,20 +4,20 @@ use bellcrank_results::ParameterRow;
 
 use super::figure::Figure;
 use super::machine::{self, Study, parameters, study};
-use super::{errors, positions, reruns};
+use super::{errors, positions, questions};
 
 /// The whole page, computed now.
 pub(crate) fn page() -> Result<String, String> {
     let parameters = parameters()?;
     let (lift, massless) = (study("lift", &[])?, study("massless", &[])?);
-    let l1 = reruns::value(&parameters, "l1")?;
+    let l1 = questions::value(&parameters, "l1")?;
     let parts = [
         introduction(),
         data(&parameters),
         format!("\n## Results\n\n{}{}", Figure::HEADING, rows(&results(&lift, &massless, l1)?)),
         peaks(&lift, &massless)?,
         format!("\n## Five positions\n\n{FIVE}\n\n{}", positions::table(&lift, &massless, l1)?),
-        reruns_section(&parameters, &lift)?,
+        questions_section()?,
         format!("\n## Where the paper errs\n\n{}", errors::section(&lift, &massless, &parameters)?),
     ];
     Ok(parts.concat())
@@ -95,15 +95,17 @@ fn peaks(lift: &Study, massless: &Study) -> Result<String, String> {
     ))
 }
 
-fn reruns_section(parameters: &[ParameterRow], lift: &Study) -> Result<String, String> {
-    let mut figures = Vec::from(reruns::optimum(lift.peak()?.0)?);
-    figures.extend(reruns::sensitivities(parameters)?);
+fn questions_section() -> Result<String, String> {
     Ok(format!(
-        "\n## Re-runs at other dimensions\n\nThe same study run again with other values of the parameters (as by `--set`). The paper's \
-         optimum over l31 [600, 800], l32 [100, 200], l5 [800, 1000] mm is [600, 200, 800]; here the lift is run at that point, masses \
-         held, l61 following l32 and l1 following l31. Relative sensitivities, d(ln peak)/d(ln parameter), are central differences of \
-         re-runs with a relative step of 1e-4. The paper finds l32 and l5 the most significant lengths, as here.\n\n{}{}",
+        "\n## The optimum\n\nThe study `shorter` of the model file: the smallest peak force over l31 [600, 800], l32 [100, 200], \
+         l5 [800, 1000] mm, masses held, l61 following l32 and l1 following l31, at most 200 mm of stroke. {}\n\n{}{}\n\
+         ## What matters\n\nThe study `influence`: relative sensitivities, d(ln peak)/d(ln parameter), from exact derivatives. The \
+         recomputed ones are central differences of an independent script. The paper finds l32 and l5 the most significant lengths, \
+         as here.\n\n{}{}",
+        questions::search()?,
         Figure::HEADING,
-        rows(&figures)
+        rows(&questions::optimum()?),
+        Figure::HEADING,
+        rows(&questions::sensitivities()?)
     ))
 }

@@ -179,6 +179,10 @@ fn trust(study: &StudyResult) -> String {
     } else {
         format!("<p class=\"hint\">Solver effort: {}.</p>\n", effort.join(", "))
     };
+    // Questions asked of another study have their own measures of trust above.
+    if rows.is_empty() {
+        return effort;
+    }
     format!(
         "<div class=\"trust\">\n<h3>Can this be trusted?</h3>\n<div class=\"scroll\">\
          <table>\n{rows}</table></div>\n{effort}</div>\n"

@@ -32,7 +32,7 @@ impl Ticks {
             let text = number::significant(if zero { 0.0 } else { mark }, digits);
             return number::typeset(&text);
         }
-        let decimals = (-self.step.log10() + 1e-9).ceil().clamp(0.0, 12.0) as usize;
+        let decimals = (-self.step.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;
         let text = number::aligned(mark, Some(decimals));
         number::typeset(&text)
     }
@@ -85,6 +85,8 @@ mod tests {
     fn marks_are_round() {
         assert_eq!(texts((-30.0, 30.0), "deg"), ["−30", "−20", "−10", "0", "10", "20", "30"]);
         assert_eq!(texts((0.0, 360.0), "deg"), ["0", "60", "120", "180", "240", "300", "360"]);
+        assert_eq!(texts((0.0, 5.0), ""), ["0", "1", "2", "3", "4", "5"]);
+        assert_eq!(texts((0.0, 0.6), ""), ["0.0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6"]);
         assert_eq!(texts((0.0, 1.1), "s"), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         assert_eq!(texts((0.0, 3e-9), "m"), ["0", "5e−10", "1e−9", "1.5e−9", "2e−9", "2.5e−9", "3e−9"]);
     }
