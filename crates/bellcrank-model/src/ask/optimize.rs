@@ -30,16 +30,19 @@ pub(super) fn run(
     let options = options(question);
     let mut history: Vec<IterationRow> = Vec::new();
     let mut display = Display::new(asking, question);
+    let mut stopped = false;
     let mut watch = |start: usize, at: &bellcrank_study::nlp::Progress| {
         display.row(start, at, progress);
         history.push(row(start, at, question.maximize));
-        if progress.cancelled() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        stopped |= progress.cancelled();
+        if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let within = within(&start, problem.limits());
     let plan = Multistart::new(question.starts, question.seed);
     let optima = multistart_watched(&mut problem, &within, &plan, &options, &mut watch);
     let optima = optima.map_err(|why| Undefined { message: why.to_string(), hints: Vec::new() })?;
-    let told = told::Told { asking, question, options: &options, start: &start, before: &before, optima: &optima };
+    let told =
+        told::Told { asking, question, options: &options, start: &start, before: &before, optima: &optima, stopped };
     let found = told.findings(&mut problem, history);
     result.effort = vec![
         ("designs".to_owned(), problem.designs as f64),

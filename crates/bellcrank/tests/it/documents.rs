@@ -32,3 +32,31 @@ fn the_readme_shows_what_the_program_prints() {
     }
     assert_eq!(redacted(shown), redacted(&printed), "`cargo xtask bless` accepts it");
 }
+
+/// Each block of the page that begins with a command holds what the program then prints, errors and iterations first.
+#[test]
+fn the_page_of_studies_shows_what_the_program_prints() {
+    const OPEN: &str = "```text\n$ bellcrank ";
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/studies.md");
+    let page = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    let studies = page.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let sandbox = Sandbox::new("documents-studies");
+    sandbox.write("lift.toml", format!("{}\n{studies}", crate::sandbox::LIFT));
+    let mut parts = page.split(OPEN);
+    let mut printed = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (block, after) = part.split_once("```\n").unwrap();
+        let command = block.lines().next().unwrap();
+        let output = sandbox.run(&command.split(' ').collect::<Vec<_>>());
+        let seen = text(&output.stderr) + &text(&output.stdout);
+        let shown = block.split_once('\n').map_or("", |(_, shown)| shown);
+        // Times of the run before are as good.
+        let body = if redacted(shown) == redacted(&seen) { shown } else { &seen };
+        printed.push_str(&format!("{OPEN}{command}\n{body}```\n{after}"));
+    }
+    if std::env::var_os("BELLCRANK_BLESS").is_some() {
+        fs::write(&path, &printed).unwrap();
+        return;
+    }
+    assert!(page == printed, "`cargo xtask bless` accepts it:\n{printed}");
+}

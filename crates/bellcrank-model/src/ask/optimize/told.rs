@@ -22,6 +22,8 @@ pub(super) struct Told<'a, 'd> {
     pub(super) before: &'a Result<Vec<f64>, Undefined>,
     /// The best first.
     pub(super) optima: &'a [Optimum],
+    /// By its reader, before all starts were searched from.
+    pub(super) stopped: bool,
 }
 
 impl Told<'_, '_> {
@@ -41,7 +43,7 @@ impl Told<'_, '_> {
             iteration_count: solution.iterations,
             evaluations: searches(self.optima).map(|search| search.solution.evaluations).sum(),
             failed_designs: searches(self.optima).map(|search| search.solution.undefined).sum(),
-            status: named(solution.status).to_owned(),
+            status: named(if self.stopped { Status::Interrupted } else { solution.status }).to_owned(),
             first_order: self.first_order(solution),
             written: None,
         }
@@ -207,6 +209,9 @@ impl Told<'_, '_> {
     /// What ends the study as failed, with all that was found kept.
     pub(super) fn failure(&self, found: &Optimization, problem: &Designing<'_>) -> Option<Undefined> {
         let solution = best(self.optima);
+        if self.stopped {
+            return Some(super::super::cancelled("during the search; the best design so far is kept"));
+        }
         match solution.status {
             Status::Infeasible => Some(Self::infeasible(found)),
             Status::UndefinedStart => {
@@ -219,7 +224,6 @@ impl Told<'_, '_> {
                 );
                 Some(Undefined { message, hints })
             }
-            Status::Interrupted => Some(super::super::cancelled("during the search; the best design so far is kept")),
             _ => None,
         }
     }
