@@ -17,7 +17,7 @@ pub struct Actuation {
     pub position: Vec<Coordinate>,
     /// Prescribed velocities and accelerations, in the order of [`Engine::set_rates`].
     pub rate: Vec<Coordinate>,
-    /// Coordinates whose efforts balance the machine, in the order of [`Engine::drive`].
+    /// Coordinates whose efforts balance the machine, in the order of [`Readings::drive`].
     pub effort: Vec<Coordinate>,
 }
 

@@ -10,9 +10,8 @@ use crate::signals::Signal;
 /// What is asked of which study.
 #[derive(Clone, Debug)]
 pub(crate) struct Ask {
-    /// Name of the study that gives the numbers, and where it is named.
+    /// Name of the study that gives the numbers.
     pub(crate) of: String,
-    pub(crate) of_span: Span,
     /// Signals of all responses, by the indices of their expressions.
     pub(crate) signals: Arc<[Signal]>,
     pub(crate) question: Question,

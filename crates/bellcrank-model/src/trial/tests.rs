@@ -29,7 +29,7 @@ fn asked(model: &Model, study: &Study, texts: &[&str]) -> (Asked, Vec<Signal>) {
 fn value(text: &str) -> bellcrank_doc::Value {
     let mut sources = bellcrank_doc::Sources::new();
     let mut diagnostics = bellcrank_doc::Diagnostics::new();
-    let id = sources.add("response", &format!("r = '{text}'"));
+    let id = sources.add("response", format!("r = '{text}'"));
     let table = bellcrank_doc::parse(&sources, id, &mut diagnostics);
     let value = table.get("r").map(|entry| entry.value.clone()).expect("a value");
     assert!(matches!(value.kind, ValueKind::String(_)));

@@ -25,7 +25,6 @@ pub(crate) struct Asking<'a> {
 
 /// What the study asks; `None` after an error. All of it is checked before giving up.
 pub(crate) fn ask(asking: &Asking<'_>, keys: AskKeys) -> Option<Ask> {
-    let of_span = keys.of.is().map(|of| of.span)?;
     let question = match asking.kind {
         "sensitivity" => Question::Sensitivity(sensitivity(asking, keys)?),
         "optimize" => Question::Optimize(optimize::optimize(asking, keys)?),
@@ -34,7 +33,7 @@ pub(crate) fn ask(asking: &Asking<'_>, keys: AskKeys) -> Option<Ask> {
         "sizing" => Question::Sizing(sizing_of::sizing(asking, *keys.sizing)?),
         other => unreachable!("`{other}` is in `ASKING`, but nobody reads it"),
     };
-    Some(Ask { of: asking.asked.name.to_owned(), of_span, signals: asking.signals.clone(), question })
+    Some(Ask { of: asking.asked.name.to_owned(), signals: asking.signals.clone(), question })
 }
 
 fn sensitivity(asking: &Asking<'_>, keys: AskKeys) -> Option<Sensitivity> {
