@@ -98,10 +98,14 @@ fn failure(study: &StudyResult) -> String {
     let hint = |hint: &String| format!("<li>{}</li>\n", sentence(hint));
     let hints: String = failure.hints.iter().map(hint).collect();
     let hints = if hints.is_empty() { hints } else { format!("<p>What to try:</p>\n<ul>\n{hints}</ul>\n") };
-    let kept = counted(study.table.rows(), "row", "rows");
+    let kept = match study.table.columns.len() {
+        0 if study.findings.is_none() => String::new(),
+        0 => "<p>What follows is what was found until then.</p>".to_owned(),
+        _ => format!("<p>What follows shows the {} before that.</p>", counted(study.table.rows(), "row", "rows")),
+    };
     format!(
         "<div class=\"note bad\" role=\"alert\"><b>This study stopped before its end:</b> {}\n{hints}\
-         <p>What follows shows the {kept} before that.</p></div>\n",
+         {kept}</div>\n",
         sentence(findings::why_stopped(study).unwrap_or(&failure.message))
     )
 }

@@ -155,7 +155,8 @@ fn best(found: &Designs) -> Grid {
 
 fn extremes(found: &Designs) -> Grid {
     let mut grid = Grid::new(["response", "min", "in design", "max", "in design", "mean"]);
-    for row in found.statistics.iter().skip(found.inputs).take(MOST_ROWS) {
+    let computed = found.statistics.iter().skip(found.inputs).filter(|row| row.mean.is_finite());
+    for row in computed.take(MOST_ROWS) {
         grid.push(vec![
             Cell::left(&row.name),
             Cell::right(&shown(row.min.0, &row.unit)),

@@ -9,10 +9,18 @@ pub(super) fn sentences(found: &Optimization) -> Vec<String> {
     if !found.objective.value.is_finite() {
         return vec![course(found)];
     }
+    if is_infeasible(found) {
+        return vec![course(found), outcome(found), first_order(found)];
+    }
     [Some(outcome(found)), Some(course(found)), bounds(found), Some(first_order(found)), written(found)]
         .into_iter()
         .flatten()
         .collect()
+}
+
+/// Bounds and constraints then hold back the violation, not the objective.
+fn is_infeasible(found: &Optimization) -> bool {
+    found.status == "infeasible"
 }
 
 fn outcome(found: &Optimization) -> String {
@@ -103,13 +111,13 @@ pub(super) fn unmet(found: &Optimization) -> Option<String> {
 
 /// What moving an active bound by one display unit does to the objective.
 pub(crate) fn variable_effect(row: &VariableRow, found: &Optimization) -> Option<String> {
-    row.bound?;
+    row.bound.filter(|_| !is_infeasible(found))?;
     Some(effect(row.multiplier * row.unit.factor, &row.unit.symbol, "on this bound", found))
 }
 
 /// What moving the right side of an active constraint by one display unit does to the objective.
 pub(crate) fn constraint_effect(row: &ConstraintRow, found: &Optimization) -> Option<String> {
-    let met = row.active && row.violation == 0.0;
+    let met = row.active && row.violation == 0.0 && !is_infeasible(found);
     met.then(|| effect(row.multiplier * row.unit.factor, &row.unit.symbol, "on the right side", found))
 }
 

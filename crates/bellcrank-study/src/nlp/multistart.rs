@@ -42,6 +42,26 @@ pub struct Optimum {
     pub searches: Vec<Search>,
 }
 
+impl Optimum {
+    /// Of answers that rounding alone tells apart the first start's is kept, on every machine.
+    fn settle(&mut self, options: &Options) {
+        const ROUNDING: f64 = 1e-9;
+        self.starts.sort_unstable();
+        let feasible = |s: &Solution| s.is_feasible(&options.tolerances);
+        let best = &self.solution;
+        let slack = ROUNDING * best.objective.abs().max(1e-12);
+        let as_good = |s: &Solution| {
+            s.status == best.status && feasible(s) == feasible(best) && s.objective - best.objective <= slack
+        };
+        let ties = self.searches.iter().enumerate().filter(|(_, search)| as_good(&search.solution));
+        if let Some((place, _)) = ties.min_by_key(|(_, search)| search.start) {
+            let first = self.searches.remove(place);
+            (self.solution, self.from) = (first.solution.clone(), first.from.clone());
+            self.searches.insert(0, first);
+        }
+    }
+}
+
 /// A start and where it led.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
@@ -230,7 +250,7 @@ fn distinct(
             }),
         }
     }
-    optima.iter_mut().for_each(|o| o.starts.sort_unstable());
+    optima.iter_mut().for_each(|optimum| optimum.settle(options));
     optima
 }
 

@@ -44,8 +44,10 @@ fn redacted_line(line: &str) -> String {
         words.push("[TIME]");
     }
     for word in &mut words {
-        if is_rounding_error(word) {
-            *word = "[TINY]";
+        match word.strip_suffix(',') {
+            Some(bare) if is_rounding_error(bare) => *word = "[TINY],",
+            _ if is_rounding_error(word) => *word = "[TINY]",
+            _ => {}
         }
     }
     words.join(" ") + &line[body.len()..]
@@ -63,5 +65,6 @@ fn is_rounding_error(word: &str) -> bool {
 fn only_what_differs_is_redacted() {
     assert_eq!(redacted("a, 601 rows, 1.25 ms\n"), "a, 601 rows, [TIME]\n");
     assert_eq!(redacted("closure 2.2e-16 m ok"), "closure [TINY] m ok");
+    assert_eq!(redacted("gradient 2.2e-16, violation 0"), "gradient [TINY], violation 0");
     assert_eq!(redacted("lasts 3 s in all, 5e-3"), "lasts 3 s in all, 5e-3");
 }

@@ -269,6 +269,12 @@ fn read_responses(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<
 /// Names of responses, each to be small (else large); the names are looked up when they are known.
 fn read_pareto(value: &Value, keyed: &Keyed<'_>) -> Option<Sides> {
     let what = keyed.named("pareto");
+    if matches!(value.kind, ValueKind::List(_) | ValueKind::String(_)) {
+        let message = format!("{what} needs a table, found {}", value.describe());
+        let hint = "which way each is good: `pareto = { peak = \"min\", stroke = \"max\" }`";
+        keyed.report(Diagnostic::error("wrong-type", value.span, message).hint(hint));
+        return None;
+    }
     let fields = keyed.reader().fields(value, &what)?;
     let sides = all(fields.table().iter().map(|entry| {
         let side = keyed.reader().one_of(&entry.value, &format!("`{}` in {what}", entry.key), DIRECTIONS)?;

@@ -13,6 +13,10 @@ use crate::told::{constraint_effect, optima, variable_effect};
 const MOST_ITERATIONS: usize = 60;
 
 pub(super) fn section(found: &Optimization, figures: &[FigureFile]) -> String {
+    // A search without a start found nothing.
+    if !found.objective.value.is_finite() {
+        return String::new();
+    }
     [
         titled("Variables", &variables(found)),
         titled("Before and after", &compared(found)),
