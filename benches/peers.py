@@ -69,8 +69,7 @@ if studies:
     sweep = studies["sweep_ms"]
     print(f"\n{'six sensitivities of the lift, 601 positions':54s} {'ms CPU':>9s} {'sweeps':>8s}")
     for key, label in (
-        ("sweep", "one sweep for its peak force"),
-        ("recorded_sweep", "one sweep with all signals recorded"),
+        ("sweep", "one sweep, all signals recorded"),
         ("six_sensitivities", "six sensitivities of the peak"),
         ("six_sensitivities_of_all_rows", "six sensitivities of the root mean square"),
     ):
