@@ -1,35 +1,15 @@
-//! What studies over the paper's lift cost: one sweep, six sensitivities, the optimization, and one design of a sweep.
+//! What studies over the paper's lift cost: one sweep, six sensitivities, the optimization, and designs of a sweep.
 
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
 
-use bellcrank_model::{Model, Silent, load};
+use bellcrank_model::Silent;
 use criterion::{Criterion, criterion_group, criterion_main};
+use shared::{SIX, lift};
 
-/// The shipped lift with other studies behind it.
-fn lift(more: &str, points: usize) -> Model {
-    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models/assist-manipulator/lift.toml");
-    let text = std::fs::read_to_string(shipped).expect("the shipped lift");
-    let text = text.replace("points = 601", &format!("points = {points}"));
-    let file: PathBuf = std::env::temp_dir().join(format!("bellcrank-bench-{}-{points}.toml", std::process::id()));
-    std::fs::write(&file, format!("{text}\n{more}")).expect("a file in the temporary folder");
-    let loaded = load(&file, &[]);
-    std::fs::remove_file(&file).expect("it was there");
-    loaded.model.unwrap_or_else(|| panic!("{}", loaded.diagnostics.render(&loaded.sources, false)))
-}
+#[path = "shared/lift.rs"]
+mod shared;
 
-const SIX: &str = r#"
-[studies.six]
-kind = "sensitivity"
-of = "lift"
-response = "max(abs(drive.slide.force))"
-parameters = ["l31", "l32", "l5", "m1", "m3", "m5"]
-points = 0
-
-[studies.six_of_all_rows]
-like = "six"
-response = "rms(drive.slide.force)"
-
+const DESIGNS: &str = r#"
 [studies.designs]
 kind = "sweep"
 of = "lift"
@@ -49,7 +29,7 @@ fn studies(c: &mut Criterion) {
 }
 
 fn designs(c: &mut Criterion) {
-    let model = lift(SIX, 61);
+    let model = lift(DESIGNS, 61);
     let mut group = c.benchmark_group("lift, 61 positions");
     group.sample_size(20);
     group.bench_function("256 designs", |b| b.iter(|| black_box(model.run("designs", &mut Silent).expect("runs"))));

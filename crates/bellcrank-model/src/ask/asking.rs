@@ -24,6 +24,14 @@ impl<'d> Asking<'d> {
         Trial::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
     }
 
+    /// Threads to use; none asked for is one a core.
+    pub(crate) fn threads(&self) -> usize {
+        match self.options.threads {
+            0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+            threads => threads,
+        }
+    }
+
     pub(crate) fn parameter(&self, index: usize) -> &'d Parameter {
         &self.study.parameters.all()[index]
     }

@@ -70,13 +70,6 @@ struct Sweep<'a, 'd> {
 }
 
 impl Sweep<'_, '_> {
-    fn threads(&self) -> usize {
-        match self.asking.options.threads {
-            0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-            threads => threads,
-        }
-    }
-
     /// The rows that are missing.
     fn compute(
         &self,
@@ -112,7 +105,15 @@ impl Sweep<'_, '_> {
         let worker = || Worker::new(self.asking, self.question, plan);
         let missing = self.resumed..plan.total;
         if !missing.is_empty() {
-            for_each_in_chunks(missing, self.threads(), self.chunk(), &AtomicBool::new(false), worker, row, sink);
+            for_each_in_chunks(
+                missing,
+                self.asking.threads(),
+                self.chunk(),
+                &AtomicBool::new(false),
+                worker,
+                row,
+                sink,
+            );
         }
         let count = |name: &str, value: f64| (name.to_owned(), value);
         let positions = positions.into_inner() as f64;
@@ -178,7 +179,7 @@ impl Sweep<'_, '_> {
             statistics: tally.statistics(),
             pareto: front.map(|(front, _)| front),
             files,
-            threads: self.threads(),
+            threads: self.asking.threads(),
         }));
     }
 }

@@ -68,7 +68,7 @@ impl<'a, 'd> Machines<'a, 'd> {
             let answer = trial.run(fixed).map(|numbers| numbers[0]);
             (answer, trial.positions - before)
         };
-        let threads = if count <= FEW { 1 } else { threads(asking.options.threads) };
+        let threads = if count <= FEW { 1 } else { asking.threads() };
         let every = (self.total / TOLD).max(1);
         let deliver = |row: u64, (answer, positions): (Result<f64, Undefined>, usize)| {
             sink(row, answer);
@@ -82,9 +82,4 @@ impl<'a, 'd> Machines<'a, 'd> {
         };
         for_each_ordered(0..count, threads, &AtomicBool::new(false), worker, evaluate, deliver);
     }
-}
-
-/// Threads asked for; 0 is one a core.
-fn threads(asked: usize) -> usize {
-    if asked > 0 { asked } else { std::thread::available_parallelism().map_or(1, std::num::NonZero::get) }
 }
