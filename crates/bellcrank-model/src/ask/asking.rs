@@ -1,10 +1,12 @@
 //! An asking study with everything around it.
 
 use bellcrank_doc::{Dimension, Parameter};
+use bellcrank_multibody::Coordinate;
 use bellcrank_results::Unit;
 
 use crate::RunOptions;
-use crate::design::{Ask, Design, Study};
+use crate::design::{Ask, Design, Study, Task};
+use crate::run::Namer;
 use crate::trial::{Asked, Trial};
 
 /// An asking study, the study that it asks, and how it is run.
@@ -22,6 +24,14 @@ impl<'d> Asking<'d> {
     /// A machine to try designs on.
     pub(crate) fn trial(&self, asked: Asked) -> Trial<'d> {
         Trial::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
+    }
+
+    /// Coordinates that rest where assembly puts them: neither the study nor a start says where.
+    pub(crate) fn unplaced(&self) -> Vec<String> {
+        let (Task::Motion { holds, .. } | Task::Statics { holds, .. }) = &self.of.task else { return Vec::new() };
+        let start = |c: Coordinate| self.design.joints.get(c.joint.0)?.start.get(c.index)?.as_ref();
+        let unplaced = holds.iter().filter(|hold| hold.at.is_none() && start(hold.coordinate).is_none());
+        unplaced.map(|hold| Namer::new(self.design).coordinate(hold.coordinate)).collect()
     }
 
     /// Threads to use; none asked for is one a core.

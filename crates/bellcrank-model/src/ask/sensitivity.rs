@@ -49,6 +49,11 @@ pub(super) fn run(
         });
     }
     result.warnings.extend(warnings(&found));
+    result.warnings.extend(asking.unplaced().into_iter().map(|name| {
+        format!(
+            "`{name}` rests where assembly put it; the derivatives take that place as fixed (give it one in `hold`)"
+        )
+    }));
     let curves = curves(asking, question, &mut trial, progress);
     result.effort = vec![("positions".to_owned(), trial.positions as f64)];
     let stopped = curves.len() < question.parameters.len();
