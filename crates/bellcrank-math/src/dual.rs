@@ -116,6 +116,10 @@ impl<const N: usize> Real for Dual<N> {
         let e = self.re.exp();
         self.chain(e, e)
     }
+    fn tanh(self) -> Self {
+        let t = self.re.tanh();
+        self.chain(t, 1.0 - t * t)
+    }
     fn abs(self) -> Self {
         if self.re < 0.0 { -self } else { self }
     }

@@ -35,6 +35,8 @@ pub trait Real:
     fn acos(self) -> Self;
     /// Exponential.
     fn exp(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
     /// Absolute value; the derivative at 0 is that of +x.
     fn abs(self) -> Self;
     /// The number `x` with the derivatives of `self`.
@@ -72,6 +74,9 @@ impl Real for f64 {
     }
     fn exp(self) -> Self {
         self.exp()
+    }
+    fn tanh(self) -> Self {
+        self.tanh()
     }
     fn abs(self) -> Self {
         self.abs()

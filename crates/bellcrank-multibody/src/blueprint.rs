@@ -238,8 +238,12 @@ pub enum Force<T> {
         viscous: Value<T>,
         /// Radius at which friction acts on turning joints, m.
         radius: Option<Value<T>>,
+        /// Below this speed friction grows smoothly with the speed (`tanh(q̇/v)` instead of the sign); without it
+        /// friction can hold still, and sticking and slipping are told apart.
+        smoothing_velocity: Option<Value<T>>,
     },
-    /// A one-sided spring and damper beyond each given limit of a coordinate (never pulls).
+    /// A one-sided spring and damper beyond each given limit of a coordinate (never pulls); with a restitution a
+    /// limit that is never passed, and acts in forward dynamics only.
     Stop {
         /// The coordinate.
         coordinate: Coordinate,
@@ -251,6 +255,8 @@ pub enum Force<T> {
         stiffness: Value<T>,
         /// N·s/m or N·m·s/rad.
         damping: Value<T>,
+        /// Hard: part of the speed that an impact leaves, 0 to 1.
+        restitution: Option<Value<T>>,
     },
     /// Six springs and dampers between two frames, along and about the axes of the first: x, y, z and the
     /// rotation vector; the plane uses x, y and the angle (entries 0, 1 and 5).

@@ -4,7 +4,7 @@
 //! each position [`Engine::move_to`], [`Engine::set_rates`], [`Engine::solve_forces`]. Asking for a
 //! stage that was not computed is a debug failure.
 
-use crate::{Blueprint, BodyId, BuildError, Coordinate, ForceId, JointId, MechanismError};
+use crate::{Blueprint, BodyId, BuildError, Coordinate, ForceId, Forward, JointId, MechanismError};
 use bellcrank_math::Dual;
 
 /// Which coordinates are prescribed in position, which in rate, and which carry the efforts.
@@ -219,7 +219,7 @@ pub struct Prescription<'a> {
 }
 
 /// A mechanism in motion.
-pub trait Engine: Readings<f64> + Send {
+pub trait Engine: Readings<f64> + Forward + Send {
     /// Finds a position that closes all loops near the starts; coordinates in `hold` are met exactly.
     fn assemble(&mut self, hold: &[(Coordinate, f64)]) -> Result<Assembled, MechanismError>;
     /// Degrees of freedom at the present position.

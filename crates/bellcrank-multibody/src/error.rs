@@ -107,6 +107,32 @@ pub enum MechanismError {
         /// The coordinate it acts on.
         coordinate: Coordinate,
     },
+    /// Forces move a coordinate that nothing with mass moves along with: its acceleration is not determined.
+    NoMass {
+        /// Coordinates that move without moving mass, most mobile first.
+        mobile: Vec<Coordinate>,
+    },
+    /// Velocities at the start that the constraints do not allow.
+    VelocityConflict {
+        /// The given velocities that do not fit: coordinate, asked, nearest possible, SI.
+        conflicting: Vec<(Coordinate, f64, f64)>,
+    },
+    /// The steps in time became too small.
+    StepCollapse {
+        /// s.
+        time: f64,
+        /// Length of the last step tried, s.
+        step: f64,
+        /// The coordinate that changed most against what was expected of it.
+        coordinate: Coordinate,
+    },
+    /// Events follow each other without time between them.
+    EventStorm {
+        /// s.
+        time: f64,
+        /// The force elements that switch; empty where conditions of the user do.
+        forces: Vec<crate::ForceId>,
+    },
     /// A number became infinite or undefined, in this quantity.
     NotFinite(&'static str),
 }

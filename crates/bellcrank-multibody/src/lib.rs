@@ -13,6 +13,7 @@ mod dynamics;
 mod engine;
 mod error;
 mod forces;
+mod forward;
 mod kinematics;
 mod lifted;
 mod mechanism;
@@ -29,5 +30,8 @@ pub use engine::{
     PointMotion, Prescription, Reading, Readings, Redundancy, SEEDS, Seeded, Wrench,
 };
 pub use error::{BuildError, MechanismError, System};
+pub use forward::{
+    Advance, Begun, Dynamics, Event, EventKind, Forward, Linearized, Method, Mode, SolverEffort, Surroundings,
+};
 pub use mechanism::Mechanism;
 pub use solver::{Machine, engine_for};

@@ -85,15 +85,25 @@ fn map_force<T: Real, U: Real>(force: &Force<T>, f: impl Fn(T) -> U + Copy) -> F
             free_position: v(free_position),
             preload: v(preload),
         },
-        F::Friction { coordinate, coulomb, static_coefficient, stribeck_velocity, viscous, radius } => F::Friction {
+        F::Friction {
+            coordinate,
+            coulomb,
+            static_coefficient,
+            stribeck_velocity,
+            viscous,
+            radius,
+            smoothing_velocity,
+        } => F::Friction {
             coordinate: *coordinate,
             coulomb: v(coulomb),
             static_coefficient: static_coefficient.as_ref().map(v),
             stribeck_velocity: stribeck_velocity.as_ref().map(v),
             viscous: v(viscous),
             radius: radius.as_ref().map(v),
+            smoothing_velocity: smoothing_velocity.as_ref().map(v),
         },
-        F::Stop { coordinate, min, max, stiffness, damping } => F::Stop {
+        F::Stop { coordinate, min, max, stiffness, damping, restitution } => F::Stop {
+            restitution: restitution.as_ref().map(v),
             coordinate: *coordinate,
             min: min.as_ref().map(v),
             max: max.as_ref().map(v),

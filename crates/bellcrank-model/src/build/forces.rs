@@ -109,22 +109,30 @@ fn along_coordinate<T: Scalar>(loads: &mut Loads<'_, '_, T>, shape: &ForceShape)
                 preload: loads.value(preload, "preload"),
             }
         }
-        ForceShape::Friction { coordinate, coulomb, static_coefficient, stribeck_velocity, viscous, radius } => {
-            ForceNumbers::Friction {
-                coordinate: *coordinate,
-                coulomb: loads.positive(coulomb, "coulomb"),
-                static_coefficient: loads.optional(static_coefficient.as_ref(), "static"),
-                stribeck_velocity: loads.optional(stribeck_velocity.as_ref(), "stribeck_velocity"),
-                viscous: loads.positive(viscous, "viscous"),
-                radius: loads.optional(radius.as_ref(), "radius"),
-            }
-        }
-        ForceShape::Stop { coordinate, min, max, stiffness, damping } => ForceNumbers::Stop {
+        ForceShape::Friction {
+            coordinate,
+            coulomb,
+            static_coefficient,
+            stribeck_velocity,
+            viscous,
+            radius,
+            smoothing_velocity,
+        } => ForceNumbers::Friction {
+            coordinate: *coordinate,
+            coulomb: loads.positive(coulomb, "coulomb"),
+            static_coefficient: loads.optional(static_coefficient.as_ref(), "static"),
+            stribeck_velocity: loads.optional(stribeck_velocity.as_ref(), "stribeck_velocity"),
+            viscous: loads.positive(viscous, "viscous"),
+            radius: loads.optional(radius.as_ref(), "radius"),
+            smoothing_velocity: loads.optional(smoothing_velocity.as_ref(), "smoothing_velocity"),
+        },
+        ForceShape::Stop { coordinate, min, max, stiffness, damping, restitution } => ForceNumbers::Stop {
             coordinate: *coordinate,
             min: loads.optional(min.as_ref(), "min"),
             max: loads.optional(max.as_ref(), "max"),
             stiffness: loads.positive(stiffness, "stiffness"),
             damping: loads.positive(damping, "damping"),
+            restitution: loads.optional(restitution.as_ref(), "restitution"),
         },
         ForceShape::Effort { coordinate, value } => {
             ForceNumbers::Effort { coordinate: *coordinate, value: loads.value(value, "value") }

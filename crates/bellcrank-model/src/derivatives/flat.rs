@@ -63,13 +63,15 @@ fn force<T: Scalar>(force: &Force<T>, all: &mut Vec<T>) {
         Force::JointSpring { stiffness, damping, free_position, preload, .. } => {
             values.extend([stiffness, damping, free_position, preload]);
         }
-        Force::Friction { coulomb, static_coefficient, stribeck_velocity, viscous, radius, .. } => {
+        Force::Friction {
+            coulomb, static_coefficient, stribeck_velocity, viscous, radius, smoothing_velocity, ..
+        } => {
             values.extend([coulomb, viscous]);
-            values.extend([static_coefficient, stribeck_velocity, radius].into_iter().flatten());
+            values.extend([static_coefficient, stribeck_velocity, radius, smoothing_velocity].into_iter().flatten());
         }
-        Force::Stop { min, max, stiffness, damping, .. } => {
+        Force::Stop { min, max, stiffness, damping, restitution, .. } => {
             values.extend([stiffness, damping]);
-            values.extend([min, max].into_iter().flatten());
+            values.extend([min, max, restitution].into_iter().flatten());
         }
         Force::Bushing { between, stiffness, damping } => {
             between.iter().for_each(|one| place(one, all));

@@ -68,6 +68,7 @@ pub(crate) enum ForceShape {
         stribeck_velocity: Option<Load>,
         viscous: Load,
         radius: Option<Load>,
+        smoothing_velocity: Option<Load>,
     },
     Stop {
         coordinate: Coordinate,
@@ -75,6 +76,7 @@ pub(crate) enum ForceShape {
         max: Option<Load>,
         stiffness: Load,
         damping: Load,
+        restitution: Option<Load>,
     },
     Bushing {
         between: [PointRef; 2],
@@ -93,13 +95,24 @@ impl ForceShape {
             | ForceShape::JointSpring { stiffness, damping, free_position: free, preload, .. } => {
                 [stiffness, damping, free, preload].into_iter().for_each(visit);
             }
-            ForceShape::Friction { coulomb, static_coefficient, stribeck_velocity, viscous, radius, .. } => {
+            ForceShape::Friction {
+                coulomb,
+                static_coefficient,
+                stribeck_velocity,
+                viscous,
+                radius,
+                smoothing_velocity,
+                ..
+            } => {
                 [coulomb, viscous].into_iter().for_each(&mut *visit);
-                [static_coefficient, stribeck_velocity, radius].into_iter().flatten().for_each(visit);
+                [static_coefficient, stribeck_velocity, radius, smoothing_velocity]
+                    .into_iter()
+                    .flatten()
+                    .for_each(visit);
             }
-            ForceShape::Stop { min, max, stiffness, damping, .. } => {
+            ForceShape::Stop { min, max, stiffness, damping, restitution, .. } => {
                 [stiffness, damping].into_iter().for_each(&mut *visit);
-                [min, max].into_iter().flatten().for_each(visit);
+                [min, max, restitution].into_iter().flatten().for_each(visit);
             }
             ForceShape::Bushing { stiffness, damping, .. } => stiffness.iter().chain(damping).for_each(visit),
         }

@@ -272,10 +272,11 @@ fn friction(force: &Opened<'_>, coordinate: Coordinate, motion: Motion, loads: &
         stribeck_velocity: loads.optional(force, "stribeck_velocity"),
         viscous: loads.or_zero(force, "viscous"),
         radius: loads.optional(force, "radius"),
+        smoothing_velocity: loads.optional(force, "smoothing_velocity"),
     }
 }
 
-/// A hard stop acts only in impacts, which kinematics, inverse dynamics and statics do not have.
+/// A hard stop acts in forward dynamics only: in impacts, and as a limit that is not passed.
 fn stop(force: &Opened<'_>, coordinate: Coordinate, loads: &mut Loads<'_>) -> ForceShape {
     let keyed = &force.keyed;
     if !keyed.has("min") && !keyed.has("max") {
@@ -286,15 +287,10 @@ fn stop(force: &Opened<'_>, coordinate: Coordinate, loads: &mut Loads<'_>) -> Fo
             let message = format!("{} has a stiffness and a restitution; give one", keyed.what());
             keyed.report(Diagnostic::error("conflicting-keys", value.span, message));
         }
-        (false, Some(value)) => {
-            keyed.quantity("restitution");
-            let message = format!("{} acts in impacts only, which are not in this version", keyed.what());
-            keyed.report(Diagnostic::warning("not-in-this-version", value.span, message));
-        }
         (false, None) => {
             keyed.fault("missing-key", format!("{} needs `stiffness` or `restitution`", keyed.what()));
         }
-        (true, None) => {}
+        _ => {}
     }
     ForceShape::Stop {
         coordinate,
@@ -302,5 +298,6 @@ fn stop(force: &Opened<'_>, coordinate: Coordinate, loads: &mut Loads<'_>) -> Fo
         max: loads.optional(force, "max"),
         stiffness: loads.or_zero(force, "stiffness"),
         damping: loads.or_zero(force, "damping"),
+        restitution: loads.optional(force, "restitution"),
     }
 }

@@ -57,6 +57,11 @@ impl<'d> Namer<'d> {
         format!("time = {}", shown(value, &self.design.units.of(Measure::Time)))
     }
 
+    /// A velocity of the coordinate, with unit.
+    fn rate(&self, c: Coordinate, value: f64) -> String {
+        shown(value, &self.design.units.of(Measure::velocity(self.motion(c))))
+    }
+
     fn effort(&self, c: Coordinate, value: f64) -> String {
         shown(value, &self.design.units.of(Measure::effort(self.motion(c))))
     }
@@ -148,6 +153,40 @@ fn explain(namer: &Namer<'_>, error: &MechanismError) -> (String, Vec<String>) {
             ),
             vec!["give other starts, add a spring or stop, or `hold` more coordinates".to_owned()],
         ),
+        MechanismError::NoMass { mobile } => (
+            format!("no mass moves with {}: their accelerations are not determined", namer.list(mobile)),
+            vec!["give the bodies that move there a mass and an inertia, or drive or hold the joint".to_owned()],
+        ),
+        MechanismError::VelocityConflict { conflicting } => {
+            let one = |(c, asked, near): &(Coordinate, f64, f64)| {
+                let (asked, near) = (namer.rate(*c, *asked), namer.rate(*c, *near));
+                format!("`{}` (asked {asked}, possible {near})", namer.coordinate(*c))
+            };
+            let message = format!(
+                "the velocities at the start do not fit the joints: {}",
+                enumerated(conflicting.iter().map(one).collect())
+            );
+            (message, vec!["give `start_velocity` to as many coordinates as there are degrees of freedom".to_owned()])
+        }
+        MechanismError::StepCollapse { time, step, coordinate } => (
+            format!(
+                "the steps became too small ({:.1e} s) at {}: `{}` changes without bound",
+                step,
+                namer.time(*time),
+                namer.coordinate(*coordinate)
+            ),
+            vec![
+                "look for a force that grows without bound, a singular position, or a joint that jams".to_owned(),
+                "a looser `tolerance` may pass over it".to_owned(),
+            ],
+        ),
+        MechanismError::EventStorm { time, forces } => {
+            let names = forces.iter().filter_map(|f| namer.design.forces.get(f.0));
+            let names = enumerated(names.map(|force| format!("`{}`", force.name)).collect());
+            let message =
+                format!("at {} events follow each other without time between them: {names}", namer.time(*time));
+            (message, vec!["give the friction a `smoothing_velocity`, or the stop a stiffness".to_owned()])
+        }
         MechanismError::NotFinite(quantity) => (
             format!("{quantity} became infinite or undefined"),
             vec!["look for a division by zero in expressions of forces and motions".to_owned()],

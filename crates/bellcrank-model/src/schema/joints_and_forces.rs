@@ -162,6 +162,11 @@ pub(crate) static FORCE: Schema = Schema {
                 Key::optional("stribeck_velocity", Shape::Along(Along::Velocity), "width of the Stribeck drop"),
                 Key::optional("viscous", Shape::Along(Along::Damping), "0 unless given"),
                 Key::optional("radius", Signal(D::LENGTH), "where friction acts on a turning joint"),
+                Key::optional(
+                    "smoothing_velocity",
+                    Shape::Along(Along::Velocity),
+                    "below it friction grows smoothly with the speed; without it friction can stick",
+                ),
             ],
         ),
         kind(
@@ -173,7 +178,11 @@ pub(crate) static FORCE: Schema = Schema {
                 Key::optional("max", Shape::Along(Along::Position), "upper limit"),
                 Key::optional("stiffness", Shape::Along(Along::Stiffness), "of a soft stop"),
                 Key::optional("damping", Shape::Along(Along::Damping), "of a soft stop; 0 unless given"),
-                Key::optional("restitution", Value(D::NONE), "of a hard stop, 0 to 1"),
+                Key::optional(
+                    "restitution",
+                    Signal(D::NONE),
+                    "of a hard stop, 0 to 1: part of the speed an impact leaves",
+                ),
             ],
         ),
         kind(

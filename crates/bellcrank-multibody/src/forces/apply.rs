@@ -148,7 +148,12 @@ fn apply_one<S: Space>(
             let (length, rate) = read(now.mech, x, now.q, now.v, f.source);
             Output { length, rate, ..Output::default() }
         }
-        Element::Stop { source, min, max, stiffness, damping } => {
+        Element::Stop { source, restitution: Some(_), .. } => {
+            // It acts by impacts and as a constraint, in forward dynamics only.
+            let (length, rate) = read(now.mech, x, now.q, now.v, *source);
+            Output { length, rate, ..Output::default() }
+        }
+        Element::Stop { source, min, max, stiffness, damping, .. } => {
             let (length, rate) = read(now.mech, x, now.q, now.v, *source);
             let (k, c) = (now.value(*stiffness), now.value(*damping));
             let limits = [min.map(|m| now.value(m)), max.map(|m| now.value(m))];
@@ -300,6 +305,9 @@ pub(crate) fn friction_effort<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>
         _ => mu_c,
     };
     let radius = f.radius.map_or(S::T::one(), |r| now.value(r));
-    let direction = rate.value().partial_cmp(&0.0).map_or(0.0, |o| f64::from(o as i8));
-    -(mu * normal * radius * S::T::from_f64(direction)) - now.value(f.viscous) * rate
+    let direction = match f.smoothing_velocity {
+        Some(v) => (rate / now.value(v)).tanh(),
+        None => S::T::from_f64(rate.value().partial_cmp(&0.0).map_or(0.0, |o| f64::from(o as i8))),
+    };
+    -(mu * normal * radius * direction) - now.value(f.viscous) * rate
 }

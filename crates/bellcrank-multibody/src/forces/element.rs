@@ -25,6 +25,7 @@ pub(crate) struct Friction<T> {
     pub(crate) stribeck_velocity: Option<Value<T>>,
     pub(crate) viscous: Value<T>,
     pub(crate) radius: Option<Value<T>>,
+    pub(crate) smoothing_velocity: Option<Value<T>>,
 }
 
 /// A force element on nodes and coordinate sources.
@@ -65,6 +66,7 @@ pub(crate) enum Element<S: Space> {
         max: Option<Value<S::T>>,
         stiffness: Value<S::T>,
         damping: Value<S::T>,
+        restitution: Option<Value<S::T>>,
     },
     Bushing {
         ends: [End<S>; 2],
@@ -132,19 +134,27 @@ impl<S: Space> Resolve<'_, S> {
                 free_position: *free_position,
                 preload: *preload,
             },
-            Force::Friction { coordinate, coulomb, static_coefficient, stribeck_velocity, viscous, radius } => {
-                Element::Friction(Friction {
-                    coordinate: *coordinate,
-                    along: self.along(coordinate),
-                    source: self.source(coordinate)?,
-                    coulomb: *coulomb,
-                    static_coefficient: *static_coefficient,
-                    stribeck_velocity: *stribeck_velocity,
-                    viscous: *viscous,
-                    radius: *radius,
-                })
-            }
-            Force::Stop { coordinate, min, max, stiffness, damping } => Element::Stop {
+            Force::Friction {
+                coordinate,
+                coulomb,
+                static_coefficient,
+                stribeck_velocity,
+                viscous,
+                radius,
+                smoothing_velocity,
+            } => Element::Friction(Friction {
+                coordinate: *coordinate,
+                along: self.along(coordinate),
+                source: self.source(coordinate)?,
+                coulomb: *coulomb,
+                static_coefficient: *static_coefficient,
+                stribeck_velocity: *stribeck_velocity,
+                viscous: *viscous,
+                radius: *radius,
+                smoothing_velocity: *smoothing_velocity,
+            }),
+            Force::Stop { coordinate, min, max, stiffness, damping, restitution } => Element::Stop {
+                restitution: *restitution,
                 source: self.source(coordinate)?,
                 min: *min,
                 max: *max,
