@@ -13,7 +13,7 @@ use bellcrank_multibody::{Coordinate, SEEDS, Seeded};
 use crate::Model;
 use crate::build::{self, Built};
 use crate::design::{Design, Values};
-use crate::motion::Running;
+use crate::motion::{Programme, Schedule};
 use crate::run::inputs::{Evaluated, Inputs};
 use crate::scalar::Scalar;
 use crate::signals::{Level, MOST, Source, View};
@@ -64,12 +64,14 @@ fn drive(source: &Source) -> Option<Coordinate> {
 }
 
 fn motions<T: Scalar>(design: &Design, values: &Values<T>, built: &Built<T>, shift: T, all: &mut Vec<T>) {
-    for motion in &design.motions {
-        let c = motion.coordinates[0];
-        let start = built.blueprint.joints[c.joint.0].start.get(c.index).copied().flatten();
-        let running = Running::new(&motion.law, values, start.unwrap_or(T::zero()));
-        for (i, time) in (0..motion.coordinates.len()).flat_map(|i| TIMES.map(|time| (i, time))) {
-            let jet = running.at(i, T::from_f64(time) + shift);
+    let schedule = Schedule::new(design, values);
+    let start = |c: Coordinate| built.blueprint.joints[c.joint.0].start.get(c.index).copied().flatten();
+    let from = |c| start(c).unwrap_or(T::zero());
+    // One by one: a file may have several of one joint that are not meant to act together.
+    for motion in 0..design.motions.len() {
+        let programme = Programme::new(design, &[motion], &schedule, values, &from);
+        for (track, time) in programme.tracks.iter().flat_map(|track| TIMES.map(|time| (track, time))) {
+            let jet = track.at(T::from_f64(time) + shift);
             all.extend([jet.value, jet.first, jet.second]);
         }
     }

@@ -4,7 +4,7 @@ use bellcrank_multibody::{Coordinate, Place};
 use bellcrank_results::{Arrow, Drawing, DrawnBody, DrawnJoint, SpaceKind};
 
 use crate::build::Built;
-use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task};
+use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task, moved};
 
 pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Drawing {
     let places = &built.geometry.points;
@@ -37,9 +37,9 @@ pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Draw
 fn driven(design: &Design, studies: &[Study]) -> Vec<Coordinate> {
     let of = |study: &Study| match &study.task {
         Task::Motion { over: Over::Positions { drive, .. }, .. } => Some(vec![*drive]),
-        Task::Motion { over: Over::Time { motions, drives, .. }, .. } => Some(drives.clone().unwrap_or_else(|| {
-            motions.iter().filter_map(|&i| design.motions.get(i)).flat_map(|m| m.coordinates.iter().copied()).collect()
-        })),
+        Task::Motion { over: Over::Time { motions, drives, .. }, .. } => {
+            Some(drives.clone().unwrap_or_else(|| moved(motions.iter().filter_map(|&i| design.motions.get(i)))))
+        }
         _ => None,
     };
     studies.iter().find_map(of).unwrap_or_default()

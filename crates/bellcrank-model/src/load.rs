@@ -110,7 +110,10 @@ fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
         if wrong.is_empty() {
             found.extend(build::implausible_study(&read.design, study));
         }
-        found.extend(wrong);
+        // Of several studies that share a fault one is enough.
+        found.extend(
+            wrong.into_iter().filter(|fault| !found.iter().any(|known| is_same(known, fault))).collect::<Vec<_>>(),
+        );
     }
     if whole {
         found.extend(check_connected(&read.design));
@@ -127,6 +130,10 @@ fn faults(design: &Design, values: &Values, whole: bool) -> Vec<Diagnostic> {
         faults.push(*fault);
     }
     faults
+}
+
+fn is_same(a: &Diagnostic, b: &Diagnostic) -> bool {
+    (a.code, &a.message, &a.primary) == (b.code, &b.message, &b.primary)
 }
 
 fn with_study(fault: Diagnostic, study: &Study) -> Diagnostic {

@@ -1,6 +1,6 @@
 //! Names: what may be one, and how they are looked up.
 
-use bellcrank_doc::{Diagnostic, Entry, Span, nearest};
+use bellcrank_doc::{Diagnostic, Entry, Span, Spanned, nearest};
 use std::collections::HashMap;
 
 /// Characters that would make `joint.NAME.position [deg]` unreadable or ambiguous.
@@ -10,7 +10,12 @@ const LONGEST: usize = 100;
 
 /// Why a key cannot be the name of a `what`.
 pub(crate) fn fault(entry: &Entry, what: &str) -> Option<Diagnostic> {
-    let name = entry.key.as_str();
+    fault_in(Spanned { value: entry.key.as_str(), span: entry.key_span }, what)
+}
+
+/// Why a text cannot be the name of a `what`.
+pub(crate) fn fault_in(name: Spanned<&str>, what: &str) -> Option<Diagnostic> {
+    let Spanned { value: name, span } = name;
     let message = if name.is_empty() {
         format!("a {what} needs a name; this one is empty")
     } else if name == "ground" && matches!(what, "body" | "subsystem") {
@@ -25,7 +30,7 @@ pub(crate) fn fault(entry: &Entry, what: &str) -> Option<Diagnostic> {
         return None;
     };
     let hint = "use letters, digits and `_`";
-    Some(Diagnostic::error("bad-name", entry.key_span, message).hint(hint))
+    Some(Diagnostic::error("bad-name", span, message).hint(hint))
 }
 
 /// Names of one sort and their places in the model.

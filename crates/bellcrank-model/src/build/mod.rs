@@ -6,6 +6,7 @@ mod forces;
 mod frames;
 mod joints;
 mod plausible;
+mod programme;
 mod studies;
 
 use std::fmt::Arguments;
@@ -19,6 +20,7 @@ use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
 pub(crate) use plausible::{implausible, implausible_study};
+pub(crate) use programme::programme_faults;
 
 /// A model in numbers.
 #[derive(Clone, Debug)]

@@ -5,7 +5,8 @@ use std::fmt::Arguments;
 use bellcrank_doc::Diagnostic;
 
 use super::Numbers;
-use crate::design::{Design, Law, Over, Prescribed, Quantity, Segment, SegmentKind, Study, Sweep, Task};
+use super::programme::{left_out, programme_faults};
+use crate::design::{Design, Goal, Law, Origin, Over, Prescribed, Quantity, Segment, SegmentKind, Study, Sweep, Task};
 
 /// Rows that a study over time may have.
 const MOST_ROWS: f64 = 1e6;
@@ -29,8 +30,20 @@ impl Study {
             }
             Task::Ask(_) | Task::Later => {}
         }
+        let acting = self.task.motions();
+        faults.extend(left_out(design, acting, &self.name, self.span));
+        // Times that are no numbers have been told.
+        if faults.is_empty() {
+            faults
+                .extend(programme_faults(design, &self.values, acting).into_iter().map(|fault| in_study(fault, self)));
+        }
         faults
     }
+}
+
+/// What comes of the motions or the parameters of one study is told with it.
+fn in_study(fault: Diagnostic, study: &Study) -> Diagnostic {
+    fault.also(study.span, "in this study")
 }
 
 fn held(numbers: &mut Numbers<'_>, holds: &[crate::design::Hold]) {
@@ -98,11 +111,18 @@ fn check_motion(numbers: &mut Numbers<'_>, motion: &Prescribed) {
         Law::Segments(segments) => segments.iter().for_each(|segment| check_segment(numbers, motion, segment)),
         Law::Expressions(_) | Law::Table(_) => {}
     }
+    if let Origin::Time(time) = &motion.start.origin {
+        numbers.number(time, format_args!("`start` of motion `{}`", motion.name));
+    }
+    if let Some(delay) = &motion.start.delay {
+        numbers.number(delay, format_args!("`delay` of motion `{}`", motion.name));
+    }
 }
 
 fn check_segment(numbers: &mut Numbers<'_>, motion: &Prescribed, segment: &Segment) {
     above_zero(numbers, &segment.duration, format_args!("the time of a segment of motion `{}`", motion.name));
-    if let SegmentKind::Move { to, .. } = &segment.kind {
-        numbers.number(to, format_args!("`to` of a segment of motion `{}`", motion.name));
+    if let SegmentKind::Move { goal, .. } = &segment.kind {
+        let key = if matches!(goal, Goal::To(_)) { "to" } else { "by" };
+        numbers.number(goal.quantity(), format_args!("`{key}` of a segment of motion `{}`", motion.name));
     }
 }

@@ -145,7 +145,7 @@ impl Used {
             self.expression(input.scope, &input.expression);
         }
         for motion in &design.motions {
-            motion.law.each_quantity(&mut |quantity| self.quantity(quantity));
+            motion.each_quantity(&mut |quantity| self.quantity(quantity));
         }
     }
 

@@ -55,7 +55,7 @@ damper = { kind = "spring", between = ["ground.Q", "c.p"], damping = "{2 N*s/m} 
 
 [motions.cycloidal]
 joint = "revolute"
-segments = [{ to = "{40 deg}", over = "{0.31 s}" }, { hold = "{0.12 s}" }, { to = "{-9 deg}", over = "{0.53 s}" }]
+segments = [{ to = "{40 deg}", over = "{0.31 s}" }, { hold = "{0.12 s}", name = "pause" }, { to = "{-9 deg}", over = "{0.53 s}" }]
 
 [motions.others]
 joint = "screw"
@@ -80,6 +80,19 @@ velocity = "{0.3 m/s}"
 [motions.table]
 joint = "line"
 table = "table.csv"
+start = "with cycloidal.pause"
+delay = "{-0.05 s}*{0.9}"
+
+[motions.after]
+joint = "slide"
+start = "after cycloidal.pause"
+delay = "{0.03 s}"
+segments = [{ by = "{0.3 m}", over = "{0.41 s}" }, { by = "{-0.1 m}", over = "{0.33 s}" }]
+
+[motions.fixed]
+joint = "slide"
+start = "{0.07 s}"
+velocity = "{0.3 m/s}"
 
 [subsystems.arm]
 file = "arm.toml"

@@ -3,8 +3,8 @@
 use bellcrank_multibody::{Actuation, Coordinate, Engine, Prescription, Readings, Seeded};
 
 use crate::build::{self, Built};
-use crate::design::{Design, Over, Quantity, Study, Task, Values};
-use crate::motion::Running;
+use crate::design::{Design, Over, Quantity, Study, Task, Values, moved};
+use crate::motion::{Jet, Programme, Schedule};
 use crate::run::inputs::{Evaluated, Inputs};
 use crate::scalar::Scalar;
 use crate::signals::{Level, MOST, Source, View};
@@ -37,8 +37,7 @@ impl Asked<'_> {
                 Actuation { position: vec![sweep.coordinate], rate: vec![*drive], effort: vec![*drive] }
             }
             Over::Time { motions, drives, .. } => {
-                let moved: Vec<Coordinate> =
-                    motions.iter().flat_map(|&i| self.design.motions[i].coordinates.iter().copied()).collect();
+                let moved = moved(motions.iter().filter_map(|&i| self.design.motions.get(i)));
                 let effort = drives.clone().unwrap_or_else(|| moved.clone());
                 Actuation { position: moved.clone(), rate: moved, effort }
             }
@@ -65,21 +64,15 @@ impl Asked<'_> {
             }
             Over::Time { duration, motions, .. } => {
                 numbers.time = position(T::zero(), duration.eval(&numbers.values), ROW, LAST);
-                motions.iter().for_each(|&i| self.motion(i, &mut numbers));
+                let schedule = Schedule::new(self.design, &numbers.values);
+                let start = |c: Coordinate| numbers.built.blueprint.joints[c.joint.0].start.get(c.index).copied();
+                let from = |c| start(c).flatten().unwrap_or(T::zero());
+                let programme = Programme::new(self.design, motions, &schedule, &numbers.values, &from);
+                let jets: Vec<Jet<T>> = programme.tracks.iter().map(|track| track.at(numbers.time)).collect();
+                jets.into_iter().for_each(|jet| numbers.push(jet.value, jet.first, jet.second));
             }
         }
         numbers
-    }
-
-    fn motion<T: Scalar>(&self, i: usize, numbers: &mut Numbers<T>) {
-        let motion = &self.design.motions[i];
-        let c = motion.coordinates[0];
-        let start = numbers.built.blueprint.joints[c.joint.0].start.get(c.index).copied().flatten();
-        let running = Running::new(&motion.law, &numbers.values, start.unwrap_or(T::zero()));
-        for k in 0..motion.coordinates.len() {
-            let jet = running.at(k, numbers.time);
-            numbers.push(jet.value, jet.first, jet.second);
-        }
     }
 
     fn solved(&self, numbers: &Numbers<f64>) -> Box<dyn Engine> {

@@ -19,7 +19,7 @@ pub(crate) use ask::{
 };
 pub(crate) use force::{Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
-pub(crate) use motion::{Law, Prescribed, Segment, SegmentKind};
+pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
 pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
 pub(crate) use study::{Hold, Over, Study, Sweep, Task};
@@ -38,6 +38,8 @@ pub(crate) struct Design {
     pub(crate) forces: Vec<Force>,
     pub(crate) inputs: Vec<Input>,
     pub(crate) motions: Vec<Prescribed>,
+    /// Places in `motions`, each after the one it waits for; those that wait for each other in a circle are left out.
+    pub(crate) motion_order: Vec<usize>,
     pub(crate) units: DisplayUnits,
     pub(crate) catalogue: Catalogue,
     /// Signals that force expressions use: places in the catalogue, in the order of their indices.

@@ -87,6 +87,14 @@ impl Sweep {
 }
 
 impl Task {
+    /// The motions that act, by their places in the design.
+    pub(crate) fn motions(&self) -> &[usize] {
+        match self {
+            Task::Motion { over: Over::Time { motions, .. }, .. } | Task::Statics { motions, .. } => motions,
+            _ => &[],
+        }
+    }
+
     /// Every value in it.
     pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
         match self {

@@ -49,13 +49,27 @@ const S_CURVE: &[Piece] = &[
 impl Profile {
     /// The profile of a name of the format.
     pub(crate) fn named(name: &str) -> Option<Profile> {
-        match name {
-            "cycloidal" => Some(Profile::Cycloidal),
-            "poly5" => Some(Profile::Poly5),
-            "trapezoid" => Some(Profile::Trapezoid),
-            "s-curve" => Some(Profile::SCurve),
-            "linear" => Some(Profile::Linear),
-            _ => None,
+        let all = [Profile::Cycloidal, Profile::Poly5, Profile::Trapezoid, Profile::SCurve, Profile::Linear];
+        all.into_iter().find(|profile| profile.name() == name)
+    }
+
+    /// Its name in the format.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Profile::Cycloidal => "cycloidal",
+            Profile::Poly5 => "poly5",
+            Profile::Trapezoid => "trapezoid",
+            Profile::SCurve => "s-curve",
+            Profile::Linear => "linear",
+        }
+    }
+
+    /// Shares of the time inside of the move at which the acceleration or its rate jumps.
+    pub(crate) fn breaks(self) -> &'static [f64] {
+        match self {
+            Profile::Trapezoid => &[THIRD, 2.0 * THIRD],
+            Profile::SCurve => &[NINTH, 2.0 * NINTH, THIRD, 2.0 * THIRD, 7.0 * NINTH, 8.0 * NINTH],
+            Profile::Cycloidal | Profile::Poly5 | Profile::Linear => &[],
         }
     }
 

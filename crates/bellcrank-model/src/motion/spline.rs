@@ -28,6 +28,11 @@ impl Spline {
         (self.times[0], self.times[self.times.len() - 1])
     }
 
+    /// The last value.
+    pub(crate) fn last(&self) -> f64 {
+        self.values[self.values.len() - 1]
+    }
+
     /// Value and derivatives; outside of the table the nearest end, at rest.
     pub(crate) fn at<T: Scalar>(&self, time: T) -> Jet<T> {
         let last = self.times.len() - 1;

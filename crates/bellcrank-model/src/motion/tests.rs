@@ -1,7 +1,10 @@
 use bellcrank_doc::Number;
 use bellcrank_math::Dual;
+use bellcrank_multibody::Coordinate;
 
 use super::*;
+use crate::design::{Design, Values};
+use crate::scalar::Scalar;
 
 const PROFILES: [Profile; 5] =
     [Profile::Cycloidal, Profile::Poly5, Profile::Trapezoid, Profile::SCurve, Profile::Linear];
@@ -125,4 +128,94 @@ fn jets_of_constants_have_no_rates_where_a_function_is_steep() {
     for jet in [c(0.0).sqrt(), c(1.0).asin(), c(0.0).powf(c(0.5))] {
         assert_eq!([jet.first, jet.second], [0.0; 2]);
     }
+}
+
+/// Two motions of one slide, and one of a hinge that waits for a segment.
+fn sequence() -> crate::Model {
+    let folder = std::env::temp_dir().join(format!("bellcrank-programme-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a scratch folder");
+    let path = folder.join("sequence.toml");
+    let text = r#"
+bellcrank = 1
+space = "planar"
+gravity = [0, 0]
+[parameters]
+t_up = "2 s"
+pause = "0.5 s"
+way = "0.3 m"
+[ground.points]
+O = [0, 0]
+[bodies.car]
+points = { O = [0, 0] }
+[bodies.arm]
+points = { O = [0, 0] }
+[joints]
+slide = { kind = "prismatic", connects = ["ground.O", "car.O"], axis = "x", start = "way/3" }
+hinge = { kind = "revolute", connects = ["car.O", "arm.O"], start = "0 deg" }
+[motions.back]
+joint = "slide"
+start = "after turn"
+delay = "pause"
+segments = [{ by = "-way", over = "1 s", profile = "trapezoid" }]
+[motions.out]
+joint = "slide"
+segments = [{ by = "way", over = "t_up" }, { hold = "pause", name = "rest" }]
+[motions.turn]
+joint = "hinge"
+start = "with out.rest"
+segments = [{ to = "1 rad", over = "1 s", profile = "poly5" }]
+"#;
+    std::fs::write(&path, text).expect("a scratch file");
+    let loaded = crate::load(&path, &[]);
+    let _ = std::fs::remove_dir_all(&folder);
+    loaded.model.expect("a model")
+}
+
+fn programme<'d, T: Scalar>(design: &'d Design, fixed: &[(usize, T)]) -> Programme<'d, T> {
+    let values = Values::with(&design.scopes, &design.scopes[0].parameters, fixed);
+    let schedule = Schedule::new(design, &values);
+    let from = |c: Coordinate| {
+        let start = design.joints[c.joint.0].start[0].as_ref();
+        start.map_or(T::zero(), |start| start.eval(&values))
+    };
+    Programme::new(design, &[0, 1, 2], &schedule, &values, &from)
+}
+
+#[test]
+fn motions_follow_each_other_and_rest_between() {
+    let model = sequence();
+    let programme = programme::<f64>(model.design(), &[]);
+    let [slide, hinge] = programme.tracks.as_slice() else { panic!("{} tracks", programme.tracks.len()) };
+    let times: Vec<(f64, Option<f64>)> = slide.turns.iter().map(|turn| (turn.begins, turn.ends)).collect();
+    assert_eq!(times, [(0.0, Some(2.5)), (3.5, Some(4.5))]);
+    let from = 0.3 / 3.0;
+    assert_eq!([slide.at(0.0).value, hinge.at(1.9).value, hinge.at(9.0).value], [from, 0.0, 1.0]);
+    let out = from + 0.3;
+    assert_eq!([slide.at(2.2), slide.at(3.0)], [Jet::from(out); 2]);
+    assert!((slide.at(4.0).value - (out - 0.15)).abs() < 1e-15 && (slide.at(4.6).value - 0.1).abs() < 1e-15);
+    assert!((slide.at(4.0).first + 0.45).abs() < 1e-12);
+    let breaks: Vec<f64> = programme.breaks().iter().map(|time| (time * 1e6).round() / 1e6).collect();
+    assert_eq!(breaks, [0.0, 2.0, 2.5, 3.0, 3.5, 3.833_333, 4.166_667, 4.5]);
+}
+
+#[test]
+fn a_schedule_has_the_derivatives_of_its_differences() {
+    let model = sequence();
+    let design = model.design();
+    let at = |i: usize, value: f64, time: f64| programme::<f64>(design, &[(i, value)]).tracks[0].at(time);
+    let mut found = 0;
+    for (i, &value) in design.scopes[0].parameters.values().iter().enumerate() {
+        for time in [0.7, 2.2, 3.6, 4.0, 4.2, 7.0] {
+            let exact = programme(design, &[(i, Dual::<1>::variable(value, 0))]).tracks[0].at(Dual::from_re(time));
+            let h = 1e-5;
+            let (before, after) = (at(i, value - h, time), at(i, value + h, time));
+            for (exact, [a, b]) in
+                [(exact.value, [before.value, after.value]), (exact.first, [before.first, after.first])]
+            {
+                assert!((exact.eps[0] - (b - a) / (2.0 * h)).abs() < 1e-8, "parameter {i} at {time}: {exact:?}");
+                found += usize::from(exact.eps[0] != 0.0);
+            }
+        }
+    }
+    assert!(found > 15, "{found}");
 }

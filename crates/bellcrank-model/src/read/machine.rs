@@ -185,7 +185,8 @@ pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Di
         forces: forces.forces,
         inputs: forces.inputs,
         input_signals: forces.signals,
-        motions,
+        motions: motions.list,
+        motion_order: motions.order,
         units: head.units,
         catalogue: forces.catalogue,
         scopes,
@@ -203,7 +204,7 @@ struct Head {
     units: DisplayUnits,
 }
 
-type ReadParts = (Head, Machine, forces::ReadForces, Vec<crate::design::Prescribed>, Vec<Study>);
+type ReadParts = (Head, Machine, forces::ReadForces, motions::ReadMotions, Vec<Study>);
 
 fn read_parts<'a>(
     parts: &'a [super::Part],
@@ -225,7 +226,7 @@ fn read_parts<'a>(
     let forces = forces::read(&all, &machine);
     let motions = motions::read(&all, &machine, tables);
     let studies = studies::read(all[0], &machine, &motions, tables, &forces.catalogue, scopes);
-    Some((head?, machine, forces, motions.list, studies))
+    Some((head?, machine, forces, motions, studies))
 }
 
 /// The space as far as it can be told; the plane while it is not known.

@@ -12,6 +12,7 @@ mod joints;
 mod machine;
 mod motions;
 mod points;
+mod starts;
 mod studies;
 mod study_keys;
 mod units;

@@ -7,8 +7,9 @@ use bellcrank_multibody::{Coordinate, JointId};
 
 use super::bodies::entries;
 use super::files::Tables;
+use super::starts::{self, Waiting};
 use super::{Machine, PartReader};
-use crate::design::{Law, Prescribed, Segment, SegmentKind};
+use crate::design::{Goal, Law, Prescribed, Segment, SegmentKind};
 use crate::keyed::Keyed;
 use crate::measure::Motion;
 use crate::motion::Profile;
@@ -22,6 +23,8 @@ pub(crate) struct ReadMotions {
     pub(crate) names: Index,
     /// Names whose definitions were reported as wrong.
     pub(crate) faulty: Index,
+    /// Each after the one it waits for.
+    pub(crate) order: Vec<usize>,
 }
 
 /// What a motion moves: all coordinates of a joint, or one of them.
@@ -31,32 +34,45 @@ struct Target {
 }
 
 pub(crate) fn read(parts: &[PartReader<'_>], machine: &Machine, tables: &Tables<'_>) -> ReadMotions {
-    let mut read = ReadMotions { list: Vec::new(), names: Index::default(), faulty: Index::default() };
+    let (names, faulty) = (Index::default(), Index::default());
+    let mut read = ReadMotions { list: Vec::new(), names, faulty, order: Vec::new() };
+    let mut waiting = Vec::new();
     for part in parts {
         for entry in entries(part, "motions") {
             if let Some(fault) = names::fault(entry, "motion") {
                 part.reader.report(fault);
             }
-            let name = part.full(&entry.key);
-            match read_motion(*part, machine, tables, entry) {
-                Some(motion) => {
-                    read.names.insert(&name, read.list.len());
+            let (name, place) = (part.full(&entry.key), read.list.len());
+            match read_motion(*part, machine, tables, entry, place) {
+                Some((motion, waits)) => {
+                    waiting.extend(waits);
+                    read.names.insert(&name, place);
                     read.list.push(motion);
                 }
                 None => read.faulty.insert(&name, 0),
             }
         }
     }
+    read.order = starts::resolve(&waiting, &mut read);
     read
 }
 
-fn read_motion(part: PartReader<'_>, machine: &Machine, tables: &Tables<'_>, entry: &Entry) -> Option<Prescribed> {
+/// The motion at `place` in the list, and what it waits for.
+fn read_motion<'a>(
+    part: PartReader<'a>,
+    machine: &Machine,
+    tables: &Tables<'_>,
+    entry: &'a Entry,
+    place: usize,
+) -> Option<(Prescribed, Option<Waiting<'a>>)> {
     let fields = part.reader.fields(&entry.value, &format!("motion `{}`", entry.key))?;
     let keyed = Keyed::new(fields, &MOTION, part.space());
     let target = keyed.text("joint").and_then(|name| target(part, machine, &keyed, name));
     let law = target.as_ref().and_then(|target| law(part, &keyed, target, tables));
+    let (start, waits) = starts::read(part, &keyed, place, entry.key_span);
     keyed.finish();
-    Some(Prescribed { name: part.full(&entry.key), coordinates: target?.coordinates, law: law? })
+    let (name, span) = (part.full(&entry.key), entry.key_span);
+    Some((Prescribed { name, span, coordinates: target?.coordinates, law: law?, start }, waits))
 }
 
 /// A list of expressions moves all coordinates of a joint; everything else moves one.
@@ -115,27 +131,52 @@ fn segments(part: PartReader<'_>, keyed: &Keyed<'_>, motion: Motion) -> Option<L
         |(i, value): (usize, &Value)| segment(part, value, &format!("segment {} of {}", i + 1, keyed.what()), motion);
     // All are read before giving up, for the errors of each.
     let read: Vec<Option<Segment>> = list.iter().enumerate().map(one).collect();
-    Some(Law::Segments(read.into_iter().collect::<Option<Vec<_>>>()?))
+    let read = read.into_iter().collect::<Option<Vec<_>>>()?;
+    check_names(keyed, &read);
+    Some(Law::Segments(read))
+}
+
+/// A name leads to one segment.
+fn check_names(keyed: &Keyed<'_>, segments: &[Segment]) {
+    for (place, segment) in segments.iter().enumerate() {
+        let Some(name) = &segment.name else { continue };
+        if let Some(first) = segments[..place].iter().find(|other| other.name.as_ref() == Some(name)) {
+            let message = format!("{} has two segments `{name}`", keyed.what());
+            let report = Diagnostic::error("two-of-one-name", segment.span, message);
+            keyed.report(report.also(first.span, "the other one"));
+        }
+    }
 }
 
 fn segment(part: PartReader<'_>, value: &Value, what: &str, motion: Motion) -> Option<Segment> {
     let keyed = Keyed::new(part.reader.fields(value, what)?, &SEGMENT, part.space());
     let hold = keyed.quantity("hold");
-    let to = keyed.along("to", motion);
+    let (to, by) = (keyed.along("to", motion), keyed.along("by", motion));
     let over = keyed.quantity("over");
     let profile = keyed.choice("profile").and_then(|name| Profile::named(name.value)).unwrap_or(Profile::Cycloidal);
-    let moves = keyed.has("to") || keyed.has("over") || keyed.has("profile");
-    if keyed.has("hold") == moves || moves && !(keyed.has("to") && keyed.has("over")) {
-        keyed.fault("segment", format!("{what} needs `to` and `over`, or `hold` alone"));
+    let name = keyed.text("name");
+    if let Some(fault) = name.and_then(|name| names::fault_in(name, "segment")) {
+        keyed.report(fault);
     }
+    let goals = usize::from(keyed.has("to")) + usize::from(keyed.has("by"));
+    let moves = goals > 0 || keyed.has("over") || keyed.has("profile");
+    if keyed.has("hold") == moves || moves && !(goals == 1 && keyed.has("over")) {
+        keyed.fault("segment", format!("{what} needs `to` (or `by`) and `over`, or `hold` alone"));
+    }
+    let span = name.map_or(value.span, |name| name.span);
     keyed.finish();
-    match hold {
-        Some(hold) => Some(Segment { kind: SegmentKind::Hold, duration: part.quantity(hold) }),
-        None => Some(Segment {
-            kind: SegmentKind::Move { to: part.quantity(to?), profile },
-            duration: part.quantity(over?),
-        }),
-    }
+    let (kind, duration) = match hold {
+        Some(hold) => (SegmentKind::Hold, hold),
+        None => {
+            let goal = match (to, by) {
+                (Some(to), _) => Goal::To(part.quantity(to)),
+                (None, by) => Goal::By(part.quantity(by?)),
+            };
+            (SegmentKind::Move { goal, profile }, over?)
+        }
+    };
+    let name = name.map(|name| name.value.to_owned());
+    Some(Segment { name, span, kind, duration: part.quantity(duration) })
 }
 
 /// The table was read with the files; a faulty one has been reported there.

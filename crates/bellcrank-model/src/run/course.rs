@@ -3,18 +3,19 @@
 use bellcrank_multibody::{Actuation, Assembled, Blueprint, Coordinate, Engine, MechanismError};
 
 use crate::build::Built;
-use crate::design::{Hold, Law, Over, Prescribed, Sweep, Values};
-use crate::motion::Running;
+use crate::design::{Design, Hold, Over, Sweep, Values, moved};
+use crate::motion::{Programme, Running, Schedule};
 use crate::scalar::Scalar;
 
 /// A machine with numbers, before its study begins.
-pub(crate) struct Assembly<'a> {
+pub(crate) struct Assembly<'a, 'd> {
+    pub(crate) design: &'d Design,
     pub(crate) values: &'a Values,
     pub(crate) built: &'a Built,
     pub(crate) engine: &'a mut dyn Engine,
 }
 
-impl Assembly<'_> {
+impl<'d> Assembly<'_, 'd> {
     /// The start that the file gives for a coordinate.
     pub(crate) fn start(&self, c: Coordinate) -> Option<f64> {
         start(&self.built.blueprint, c)
@@ -22,6 +23,13 @@ impl Assembly<'_> {
 
     fn place(&self, c: Coordinate) -> f64 {
         self.engine.coordinate(c).position
+    }
+
+    /// The motions that act, as long as they are there, and nothing has moved yet.
+    fn programme(&self, acting: &[usize]) -> Programme<'d> {
+        let schedule = Schedule::new(self.design, self.values);
+        let from = |c| self.start(c).unwrap_or(0.0);
+        Programme::new(self.design, acting, &schedule, self.values, &from)
     }
 
     /// Where coordinates rest, as far as the study or a start says.
@@ -66,15 +74,17 @@ pub(crate) enum Path<'d> {
 /// A study, begun: what it prescribes, and places that only assembly knows.
 #[derive(Debug)]
 pub(crate) struct Course<'d> {
+    design: &'d Design,
     pub(crate) actuation: Actuation,
     pub(crate) rows: usize,
     pub(crate) assembled: Assembled,
     path: Path<'d>,
     holds: &'d [Hold],
-    pub(crate) motions: Vec<&'d Prescribed>,
-    /// Where each held coordinate rests and each motion begins.
+    /// Motions that act, by their places in the design.
+    pub(crate) acting: Vec<usize>,
+    /// Where each held coordinate rests, and where each one that a motion moves begins.
     rests: Vec<f64>,
-    begins: Vec<f64>,
+    begins: Vec<(Coordinate, f64)>,
 }
 
 impl<'d> Course<'d> {
@@ -83,25 +93,27 @@ impl<'d> Course<'d> {
     /// # Errors
     /// When it cannot be assembled.
     pub(crate) fn begin(
-        machine: &mut Assembly<'_>,
+        machine: &mut Assembly<'_, 'd>,
         path: Path<'d>,
         holds: &'d [Hold],
-        motions: Vec<&'d Prescribed>,
+        acting: &[usize],
     ) -> Result<Course<'d>, MechanismError> {
         let held = machine.held(holds);
         let assembled = match path {
-            Path::Motion(Over::Time { .. }) => assemble_in_time(machine, &held, &motions)?,
-            _ => assemble_at_rest(machine, path.sweep(), &held, &motions)?,
+            Path::Motion(Over::Time { .. }) => assemble_in_time(machine, &held, acting)?,
+            _ => assemble_at_rest(machine, path.sweep(), &held, acting)?,
         };
         let rest = |hold: &Hold| {
             let place = held.iter().find(|(coordinate, _)| *coordinate == hold.coordinate);
             place.map_or_else(|| machine.place(hold.coordinate), |(_, place)| *place)
         };
         let rests = holds.iter().map(rest).collect();
-        let begins = motions.iter().map(|m| m.coordinates.first().map_or(0.0, |&c| machine.place(c))).collect();
-        let actuation = actuation(path, holds, &motions);
+        let design = machine.design;
+        let moved = moved(acting.iter().filter_map(|&motion| design.motions.get(motion)));
+        let begins = moved.iter().map(|&c| (c, machine.place(c))).collect();
+        let actuation = actuation(path, holds, &moved);
         let rows = path.rows(machine.values);
-        Ok(Course { actuation, rows, assembled, path, holds, motions, rests, begins })
+        Ok(Course { design, actuation, rows, assembled, path, holds, acting: acting.to_vec(), rests, begins })
     }
 
     /// The study's laws with these numbers.
@@ -114,10 +126,9 @@ impl<'d> Course<'d> {
         let rate = |quantity: &Option<crate::design::Quantity>| {
             quantity.as_ref().map_or(T::zero(), |quantity| quantity.eval(values))
         };
-        let running = self.motions.iter().zip(&self.begins).map(|(motion, begins)| {
-            let begins = self.begin_of(motion, *begins, blueprint);
-            (Running::new(&motion.law, values, begins), motion.coordinates.len())
-        });
+        let schedule = Schedule::new(self.design, values);
+        let from = |c| self.begin_of(c, blueprint);
+        let programme = Programme::new(self.design, &self.acting, &schedule, values, &from);
         let swept = |sweep: &Sweep| Swept { from: sweep.from.eval(values), to: sweep.to.eval(values) };
         match self.path {
             Path::Motion(Over::Positions { sweep, velocity, acceleration, .. }) => Laws::Positions {
@@ -128,10 +139,7 @@ impl<'d> Course<'d> {
                 rests,
             },
             Path::Rest(sweep) => {
-                let mut all: Vec<T> = Vec::new();
-                for (motion, count) in running {
-                    all.extend((0..count).map(|i| motion.at(i, T::zero()).value));
-                }
+                let mut all: Vec<T> = programme.tracks.iter().map(|track| track.at(T::zero()).value).collect();
                 all.extend(rests);
                 let last = self.rows.saturating_sub(1);
                 let (velocity, acceleration) = (T::zero(), T::zero());
@@ -139,38 +147,33 @@ impl<'d> Course<'d> {
             }
             Path::Motion(Over::Time { duration, step, .. }) => {
                 let (duration, step) = (duration.eval(values), step.eval(values));
-                Laws::Time { running: running.collect(), duration, step, last: self.rows - 1, rests }
+                Laws::Time { programme, duration, step, last: self.rows - 1, rests }
             }
         }
     }
 
-    /// A motion begins at the start of the file where assembly met it, and follows its parameters then.
-    fn begin_of<T: Scalar>(&self, motion: &Prescribed, assembled: f64, blueprint: &Blueprint<T>) -> T {
-        let start = motion.coordinates.first().and_then(|&c| start(blueprint, c));
+    /// A coordinate begins at the start of the file where assembly met it, and follows its parameters then.
+    fn begin_of<T: Scalar>(&self, c: Coordinate, blueprint: &Blueprint<T>) -> T {
+        let assembled = self.begins.iter().find(|(of, _)| *of == c).map_or(0.0, |(_, place)| *place);
         let met = |start: &T| (start.value() - assembled).abs() <= 1e-9 * assembled.abs().max(1.0);
-        start.filter(met).map_or(T::from_f64(assembled), |start| start.with_value(assembled))
+        let start = start(blueprint, c).filter(met);
+        start.map_or(T::from_f64(assembled), |start| start.with_value(assembled))
     }
 }
 
-/// Assembles where motions begin: those that say where they are at time 0 are met, the others start from the file's
-/// start.
+/// Assembles where motions begin: those that say where they are are met, the others start from the file's start.
 fn assemble_in_time(
-    machine: &mut Assembly<'_>,
+    machine: &mut Assembly<'_, '_>,
     held: &[(Coordinate, f64)],
-    motions: &[&Prescribed],
+    acting: &[usize],
 ) -> Result<Assembled, MechanismError> {
     let mut needed = held.to_vec();
     let mut wished = Vec::new();
-    for motion in motions {
-        match &motion.law {
-            Law::Expressions(_) | Law::Table(_) => {
-                let running = Running::new(&motion.law, machine.values, 0.0);
-                let at = |(i, &c): (usize, &Coordinate)| (c, running.at(i, 0.0).value);
-                needed.extend(motion.coordinates.iter().enumerate().map(at));
-            }
-            Law::Segments(_) | Law::Velocity(_) => {
-                wished.extend(motion.coordinates.iter().filter_map(|&c| Some((c, machine.start(c)?))));
-            }
+    for track in machine.programme(acting).tracks {
+        let c = track.coordinate;
+        match track.turns.first().map(|turn| &turn.running) {
+            Some(Running::Expression { .. } | Running::Table(_)) => needed.push((c, track.at(0.0).value)),
+            _ => wished.extend(machine.start(c).map(|start| (c, start))),
         }
     }
     machine.assemble(&needed, &wished)
@@ -178,44 +181,37 @@ fn assemble_in_time(
 
 /// Assembles with all that is held where it rests.
 fn assemble_at_rest(
-    machine: &mut Assembly<'_>,
+    machine: &mut Assembly<'_, '_>,
     sweep: Option<&Sweep>,
     held: &[(Coordinate, f64)],
-    motions: &[&Prescribed],
+    acting: &[usize],
 ) -> Result<Assembled, MechanismError> {
     let mut needed = held.to_vec();
-    needed.extend(motions.iter().flat_map(|motion| at_the_beginning(machine, motion)));
+    needed.extend(machine.programme(acting).tracks.iter().map(|track| (track.coordinate, track.at(0.0).value)));
     // A start of the swept coordinate selects the branch where the file says it; the sweep walks from there.
     let at = |sweep: &Sweep| machine.start(sweep.coordinate).unwrap_or_else(|| sweep.from.eval(machine.values));
     let swept = sweep.map(|sweep| (sweep.coordinate, at(sweep)));
     machine.assemble(&needed, swept.as_slice())
 }
 
-/// Where a motion is at time 0.
-fn at_the_beginning(machine: &Assembly<'_>, motion: &Prescribed) -> Vec<(Coordinate, f64)> {
-    let from = motion.coordinates.first().and_then(|&c| machine.start(c)).unwrap_or(0.0);
-    let running = Running::new(&motion.law, machine.values, from);
-    motion.coordinates.iter().enumerate().map(|(i, &c)| (c, running.at(i, 0.0).value)).collect()
-}
-
-fn actuation(path: Path<'_>, holds: &[Hold], motions: &[&Prescribed]) -> Actuation {
+fn actuation(path: Path<'_>, holds: &[Hold], moved: &[Coordinate]) -> Actuation {
     let with_held = |first: &[Coordinate]| -> Vec<Coordinate> {
         first.iter().copied().chain(holds.iter().map(|hold| hold.coordinate)).collect()
     };
-    let moved: Vec<Coordinate> = motions.iter().flat_map(|m| m.coordinates.iter().copied()).collect();
     match path {
         Path::Motion(Over::Positions { sweep, drive, .. }) => {
             let rate = with_held(&[*drive]);
             Actuation { position: with_held(&[sweep.coordinate]), effort: rate.clone(), rate }
         }
         Path::Motion(Over::Time { drives, .. }) => {
-            let position = with_held(&moved);
+            let position = with_held(moved);
             // Held coordinates rest by an effort of their own, whatever else drives the machine.
             let effort = drives.as_ref().map_or_else(|| position.clone(), |drives| with_held(drives));
             Actuation { rate: position.clone(), position, effort }
         }
         Path::Rest(sweep) => {
-            let first: Vec<Coordinate> = sweep.map(|sweep| sweep.coordinate).into_iter().chain(moved).collect();
+            let first: Vec<Coordinate> =
+                sweep.map(|sweep| sweep.coordinate).into_iter().chain(moved.iter().copied()).collect();
             let list = with_held(&first);
             Actuation { position: list.clone(), rate: list.clone(), effort: list }
         }
@@ -255,7 +251,7 @@ pub(crate) struct Swept<T> {
 #[derive(Debug)]
 pub(crate) enum Laws<'d, T: Scalar = f64> {
     Positions { swept: Option<Swept<T>>, velocity: T, acceleration: T, last: usize, rests: Vec<T> },
-    Time { running: Vec<(Running<'d, T>, usize)>, duration: T, step: T, last: usize, rests: Vec<T> },
+    Time { programme: Programme<'d, T>, duration: T, step: T, last: usize, rests: Vec<T> },
 }
 
 /// Prescribed numbers in the order of the actuation.
@@ -267,7 +263,7 @@ pub(crate) struct Targets<T = f64> {
     pub(crate) acceleration: Vec<T>,
 }
 
-impl<T: Scalar> Laws<'_, T> {
+impl<'d, T: Scalar> Laws<'d, T> {
     /// The place on the axis at row `row`, which need not be whole: between rows lies what is between them. Both ends
     /// are exact.
     pub(crate) fn axis(&self, row: T) -> T {
@@ -309,6 +305,20 @@ impl<T: Scalar> Laws<'_, T> {
         }
     }
 
+    /// What moves when; `None` over positions.
+    pub(crate) fn programme(&self) -> Option<&Programme<'d, T>> {
+        match self {
+            Laws::Positions { .. } => None,
+            Laws::Time { programme, .. } => Some(programme),
+        }
+    }
+
+    /// Times, s, in order, at which what is prescribed is not smooth: see [`Programme::breaks`].
+    #[expect(dead_code, reason = "for integrators, which must not step over them")]
+    pub(crate) fn breaks(&self) -> Vec<f64> {
+        self.programme().map_or_else(Vec::new, Programme::breaks)
+    }
+
     /// What is prescribed at a place of the axis.
     pub(crate) fn prescribe(&self, place: T, targets: &mut Targets<T>) {
         let Targets { time, position, velocity, acceleration } = targets;
@@ -323,15 +333,13 @@ impl<T: Scalar> Laws<'_, T> {
                 }
                 rests
             }
-            Laws::Time { running, rests, .. } => {
+            Laws::Time { programme, rests, .. } => {
                 *time = place;
-                for (motion, count) in running {
-                    for i in 0..*count {
-                        let jet = motion.at(i, place);
-                        position.push(jet.value);
-                        velocity.push(jet.first);
-                        acceleration.push(jet.second);
-                    }
+                for track in &programme.tracks {
+                    let jet = track.at(place);
+                    position.push(jet.value);
+                    velocity.push(jet.first);
+                    acceleration.push(jet.second);
                 }
                 rests
             }

@@ -3,8 +3,9 @@
 use super::End;
 use super::course::{Course, Laws, Path, Targets};
 use super::session::Session;
-use crate::design::{Hold, Law, Over, Prescribed};
+use crate::design::{Hold, Origin, Over};
 use crate::measure::Measure;
+use crate::motion::{EPS, Programme, Running};
 use crate::progress::Progress;
 use crate::signals::Source;
 
@@ -27,8 +28,11 @@ pub(super) fn run<'d>(
     if has_time {
         let last = course.rows.saturating_sub(1) as f64;
         let duration = session.laws(&course).axis(last);
-        warn_of_short_tables(session, &course.motions, duration);
-        warn_of_moved_starts(session, &course.motions);
+        if let Some(programme) = session.laws(&course).programme() {
+            warn_of_late_motions(session, programme, duration);
+            warn_of_short_tables(session, programme, duration);
+            warn_of_moved_starts(session, programme);
+        }
     } else {
         warn_of_time(session);
     }
@@ -80,32 +84,53 @@ fn warn_of_time(session: &mut Session<'_>) {
     }
 }
 
-/// Segments and velocities count from the start: where the start of the file does not close, they begin elsewhere.
-fn warn_of_moved_starts(session: &mut Session<'_>, motions: &[&Prescribed]) {
-    for motion in motions.iter().filter(|m| matches!(m.law, Law::Segments(_) | Law::Velocity(_))) {
-        for &c in &motion.coordinates {
-            let (Some(start), place) = (session.start(c), session.place(c)) else { continue };
-            if (place - start).abs() > 1e-6 * start.abs().max(place.abs()).max(1e-3) {
-                let namer = session.namer();
-                let (name, place, start) = (&motion.name, namer.place(c, place), namer.place(c, start));
-                let message =
-                    format!("motion `{name}` begins at {place}: its start of {start} does not fit the other joints");
-                session.result.warnings.push(message);
-            }
+/// A motion that the study ends before.
+fn warn_of_late_motions(session: &mut Session<'_>, programme: &Programme<'_>, duration: f64) {
+    let mut told = Vec::new();
+    for turn in programme.tracks.iter().flat_map(|track| &track.turns) {
+        if turn.begins >= duration * (1.0 - EPS) && !told.contains(&turn.motion) {
+            told.push(turn.motion);
+            let name = &session.design.motions[turn.motion].name;
+            let (begins, end) = (session.shown(turn.begins, Measure::Time), session.shown(duration, Measure::Time));
+            let message = format!("motion `{name}` begins at {begins}: the study ends at {end}, before it moves");
+            session.result.warnings.push(message);
         }
     }
 }
 
-fn warn_of_short_tables(session: &mut Session<'_>, motions: &[&Prescribed], duration: f64) {
-    for motion in motions {
-        if let Law::Table(spline) = &motion.law
-            && (spline.span().0 > 0.0 || spline.span().1 < duration)
-        {
-            let (from, to) = spline.span();
-            let (from, to) = (session.shown(from, Measure::Time), session.shown(to, Measure::Time));
+/// Segments and velocities count from the start: where the start of the file does not close, they begin elsewhere.
+fn warn_of_moved_starts(session: &mut Session<'_>, programme: &Programme<'_>) {
+    for track in &programme.tracks {
+        let Some(first) = track.turns.first() else { continue };
+        if !matches!(first.running, Running::Segments(_) | Running::Velocity { .. }) {
+            continue;
+        }
+        let c = track.coordinate;
+        let (Some(start), place) = (session.start(c), session.place(c)) else { continue };
+        if (place - start).abs() > 1e-6 * start.abs().max(place.abs()).max(1e-3) {
+            let (namer, name) = (session.namer(), &session.design.motions[first.motion].name);
+            let (place, start) = (namer.place(c, place), namer.place(c, start));
             let message =
-                format!("motion `{}` has a table from {from} to {to}; outside of it the joint rests", motion.name);
+                format!("motion `{name}` begins at {place}: its start of {start} does not fit the other joints");
             session.result.warnings.push(message);
+        }
+    }
+}
+
+/// A table that says nothing of a time before or after it. One among other motions of its joint need not, nor one with
+/// a start of its own.
+fn warn_of_short_tables(session: &mut Session<'_>, programme: &Programme<'_>, duration: f64) {
+    for track in &programme.tracks {
+        let [turn] = track.turns.as_slice() else { continue };
+        let motion = &session.design.motions[turn.motion];
+        if let (Running::Table(spline), Origin::Zero) = (&turn.running, &motion.start.origin) {
+            let (from, to) = (turn.begins + spline.span().0, turn.begins + spline.span().1);
+            if from > 0.0 || to < duration {
+                let (from, to) = (session.shown(from, Measure::Time), session.shown(to, Measure::Time));
+                let message =
+                    format!("motion `{}` has a table from {from} to {to}; outside of it the joint rests", motion.name);
+                session.result.warnings.push(message);
+            }
         }
     }
 }

@@ -86,9 +86,8 @@ impl<'d> Session<'d> {
 
     /// Assembles the machine where the study begins.
     pub(super) fn begin(&mut self, path: Path<'d>, holds: &'d [Hold], motions: &[usize]) -> Result<Course<'d>, End> {
-        let design = self.design;
-        let motions = motions.iter().filter_map(|&index| design.motions.get(index)).collect();
-        let mut machine = Assembly { values: &self.study.values, built: &self.built, engine: &mut *self.engine };
+        let (design, values) = (self.design, &self.study.values);
+        let mut machine = Assembly { design, values, built: &self.built, engine: &mut *self.engine };
         match Course::begin(&mut machine, path, holds, motions) {
             Ok(course) => {
                 self.effort.iterations += course.assembled.iterations;

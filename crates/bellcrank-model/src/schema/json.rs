@@ -127,6 +127,7 @@ fn shape(of: Shape) -> Value {
         Shape::Axis => reference("axis"),
         Shape::Response => response(),
         Shape::Free => reference("value"),
+        Shape::Start => reference("quantity"),
         Shape::Responses => json!({ "anyOf": [
             { "type": "array", "items": response() },
             { "type": "object", "additionalProperties": response() },

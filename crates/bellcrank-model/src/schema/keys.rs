@@ -72,6 +72,8 @@ pub(crate) enum Shape {
     Axis,
     /// A value whose dimension follows from elsewhere in the file.
     Free,
+    /// A time over the parameters, `after NAME` or `with NAME`.
+    Start,
     /// An arithmetic expression over reductions of signals, or a comparison of two.
     Response,
     /// A list of such, or a table of named ones.

@@ -107,6 +107,13 @@ pub(crate) static MOTION: Schema = plain(
         Key::optional("expression", Values, "of `time`; a list for all coordinates of a joint"),
         Key::optional("table", Text, "CSV file of times and positions, beside the model file"),
         Key::optional("velocity", Shape::Along(Along::Velocity), "constant, from the start position"),
+        Key::optional(
+            "start",
+            Shape::Start,
+            "when it begins: a time, or `after NAME` or `with NAME` of a motion or of a segment, `MOTION.SEGMENT`; time \
+             0 unless given",
+        ),
+        Key::optional("delay", Value(D::TIME), "comes on top of `start`"),
     ],
 );
 
@@ -118,9 +125,11 @@ pub(crate) static SEGMENT: Schema = plain(
     "A move to a place, or a hold.",
     &[
         Key::optional("to", Shape::Along(Along::Position), "where the segment ends"),
+        Key::optional("by", Shape::Along(Along::Position), "how far it goes from where it begins, in place of `to`"),
         Key::optional("over", Value(D::TIME), "how long it takes"),
         Key::optional("profile", OneOf(PROFILES), "cycloidal unless given"),
         Key::optional("hold", Value(D::TIME), "rest this long"),
+        Key::optional("name", Text, "a name that a `start` can refer to, as `MOTION.NAME`"),
     ],
 );
 

@@ -163,10 +163,12 @@ impl<'d> Trial<'d> {
 
     fn begin_course(&mut self) -> Result<(), Undefined> {
         let (path, holds, motions) = path_of(&self.of.task);
-        let motions = motions.iter().filter_map(|&index| self.design.motions.get(index)).collect();
-        let (values, built) = (&self.values, &self.built);
+        if let Some(fault) = build::programme_faults(self.design, &self.values, motions).first() {
+            return Err(refused(Some(fault)));
+        }
+        let (design, values, built) = (self.design, &self.values, &self.built);
         let Some(engine) = self.engine.as_deref_mut() else { return Err(refused(None)) };
-        let begun = Course::begin(&mut Assembly { values, built, engine }, path, holds, motions);
+        let begun = Course::begin(&mut Assembly { design, values, built, engine }, path, holds, motions);
         let course = begun.map_err(|error| self.failed(&error, "before the first position"))?;
         if let (Path::Motion(_), Some(engine)) = (path, self.engine.as_deref_mut()) {
             engine.only_drives(!self.reactions);

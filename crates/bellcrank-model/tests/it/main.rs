@@ -7,6 +7,7 @@ mod files;
 mod format;
 mod improve;
 mod lift;
+mod programme;
 mod random;
 mod residuals;
 mod sizing;

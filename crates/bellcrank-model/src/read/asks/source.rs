@@ -3,6 +3,7 @@
 use bellcrank_doc::{Diagnostic, Dimension, Reduction, Span};
 use bellcrank_multibody::Coordinate;
 
+use crate::design::moved;
 use crate::measure::Motion;
 use crate::read::study_keys::{Referred, StudyKeys};
 use crate::schema::Along;
@@ -99,9 +100,7 @@ impl Asked<'_> {
     pub(super) fn drives(&self) -> Vec<Coordinate> {
         let keys = self.keys;
         let motions = &self.of.motions.list;
-        let of_motions = |indices: Vec<usize>| -> Vec<Coordinate> {
-            indices.into_iter().filter_map(|i| motions.get(i)).flat_map(|m| m.coordinates.iter().copied()).collect()
-        };
+        let of_motions = |indices: Vec<usize>| moved(indices.into_iter().filter_map(|i| motions.get(i)));
         let mut drives = match &keys.sweep {
             _ if self.has_time() => keys
                 .drives
