@@ -27,10 +27,19 @@ pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Draw
     };
     Drawing {
         space: if design.planar { SpaceKind::Planar } else { SpaceKind::Spatial },
+        up: up(built.blueprint.gravity, design.planar),
         bodies: design.bodies.iter().enumerate().map(body).collect(),
         joints: design.joints.iter().enumerate().filter_map(joint).collect(),
         arrows: crate::run::arrows(design).filter_map(arrow).collect(),
     }
+}
+
+/// The axis of the world that points most against gravity.
+fn up(gravity: [f64; 3], planar: bool) -> [f64; 3] {
+    let usual = if planar { 1 } else { 2 };
+    let most = (0..3).max_by(|&a, &b| gravity[a].abs().total_cmp(&gravity[b].abs())).filter(|&k| gravity[k] != 0.0);
+    let (axis, sign) = most.map_or((usual, 1.0), |k| (k, -gravity[k].signum()));
+    std::array::from_fn(|k| if k == axis { sign } else { 0.0 })
 }
 
 /// Coordinates that carry efforts in the first study that says so.
@@ -119,5 +128,18 @@ fn axis(kind: &bellcrank_multibody::JointKind<f64>) -> [f64; 3] {
         | K::Universal { axis, .. }
         | K::PointOnLine { axis } => *axis,
         _ => [0.0, 0.0, 1.0],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::up;
+
+    #[test]
+    fn up_is_the_axis_against_gravity() {
+        assert_eq!(up([0.0, 0.0, -9.81], false), [0.0, 0.0, 1.0]);
+        assert_eq!(up([0.0, -9.81, 0.0], false), [0.0, 1.0, 0.0]);
+        assert_eq!(up([9.6, -2.0, 0.0], true), [-1.0, 0.0, 0.0]);
+        assert_eq!((up([0.0; 3], true), up([0.0; 3], false)), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]));
     }
 }

@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use bellcrank_report::{ReportError, Style, render_html, terminal_summary, write_report};
+use bellcrank_report::{Exports, ReportError, Style, render_html, terminal_summary, write_report};
 use bellcrank_results::{Column, RunResult, study_summary, write_csv};
 
 #[path = "../tests/it/sample/mod.rs"]
@@ -83,7 +83,7 @@ fn timings(run: &RunResult, dir: &Path) -> Result<(), ReportError> {
     let text = best(|| {
         std::hint::black_box(terminal_summary(run, &Style::default()));
     });
-    bellcrank_report::write_run(run, dir)?;
+    bellcrank_report::write_run(run, dir, Exports::default())?;
     println!(
         "  csv {csv:.2} ms, json {json:.2} ms, figures {figures:.2} ms, html {html:.2} ms ({} kB)",
         page.len() / 1000

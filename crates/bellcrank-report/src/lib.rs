@@ -5,6 +5,7 @@
 //! mechanics; what is shown was computed elsewhere, in SI, with the unit to show it in.
 
 mod error;
+mod exports;
 mod figures;
 mod findings;
 mod html;
@@ -16,6 +17,7 @@ mod write;
 
 pub use bellcrank_results::study_folders;
 pub use error::ReportError;
+pub use exports::Exports;
 pub use figures::{FigureFile, figures};
 pub use html::render_html;
 pub use terminal::{Style, terminal_summary};

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use bellcrank_results::{RunResult, StudyResult, finding_tables, study_summary, write_csv, write_text_csv};
 
+use crate::exports::{Exports, write_exports};
 use crate::html::page;
 use crate::{FigureFile, ReportError, figures, study_folders};
 
@@ -26,7 +27,7 @@ pub fn write_report(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportE
 }
 
 /// Writes everything a run leaves: for each study `series.csv`, `summary.json`, tables of what it
-/// found and plots, and one `report.html`.
+/// found, plots and what `exports` asks for, and one `report.html`.
 ///
 /// A study over another study has no `series.csv` where it has no rows of its own; the rows of a
 /// sweep (`designs.csv`) are written by whoever computes them.
@@ -35,7 +36,7 @@ pub fn write_report(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportE
 ///
 /// # Errors
 /// A folder that cannot be made or a file that cannot be written.
-pub fn write_run(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write_run(run: &RunResult, dir: &Path, exports: Exports) -> Result<Vec<PathBuf>, ReportError> {
     let mut written = write_report(run, dir)?;
     for (study, folder) in run.studies.iter().zip(study_folders(run)) {
         let folder = dir.join(folder);
@@ -44,6 +45,7 @@ pub fn write_run(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportErro
             written.push(write_series(study, folder.join("series.csv"))?);
         }
         written.extend(write_tables(study, &folder)?);
+        written.extend(write_exports(run, study, &folder, exports)?);
         let summary = format!("{:#}\n", study_summary(study));
         written.push(write_file(folder.join("summary.json"), summary.as_bytes())?);
     }

@@ -17,7 +17,7 @@ fn main() -> Result<()> {
     let dir = Path::new(&dir);
     let create = |name: &str| File::create(dir.join(name)).map(BufWriter::new);
     timed("csv", rows, &mut CsvRows::new(create("designs.csv")?, columns(), "reason"))?;
-    timed("parquet", rows, &mut ParquetRows::new(create("designs.parquet")?, columns(), "reason")?)
+    timed("parquet", rows, &mut ParquetRows::new(create("designs.parquet")?, columns(), Some("reason"))?)
 }
 
 fn columns() -> Vec<RowColumn> {

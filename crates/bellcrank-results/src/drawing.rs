@@ -64,6 +64,9 @@ pub struct Arrow {
 pub struct Drawing {
     /// Plane or space.
     pub space: SpaceKind,
+    /// The axis of the world that points most against gravity, of length one; y in the plane and z in
+    /// space where there is no gravity.
+    pub up: [f64; 3],
     /// Bodies, ground first.
     pub bodies: Vec<DrawnBody>,
     /// Joints.

@@ -1,4 +1,4 @@
-//! Result columns with names and units, findings, and their CSV, JSON and Parquet writers.
+//! Result columns with names and units, findings, the drawing, and their CSV, JSON, Parquet and glTF writers.
 //!
 //! Everything in here is plain data in SI units; a [`Unit`] says how a number is shown.
 //! No mechanics: what is stored was computed elsewhere.
@@ -9,9 +9,11 @@ mod drawing;
 mod finding_tables;
 mod findings;
 mod folders;
+mod gltf;
 mod reductions;
 mod rows;
 mod run;
+mod solid;
 mod study;
 mod summary;
 mod table;
@@ -23,9 +25,11 @@ pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceK
 pub use finding_tables::finding_tables;
 pub use findings::*;
 pub use folders::{file_stems, study_folders};
+pub use gltf::{upright, write_glb};
 pub use reductions::{Extreme, Reductions};
-pub use rows::{CsvRows, ParquetRows, RowColumn, RowKind, RowWriter};
+pub use rows::{CsvRows, ParquetRows, RowColumn, RowKind, RowWriter, write_parquet};
 pub use run::{ParameterRow, Provenance, RunResult};
+pub use solid::{Paint, Shape, Solid, solids};
 pub use study::{Failure, Reaction, StudyResult};
 pub use summary::{run_summary, study_summary};
 pub use table::{Column, Table};

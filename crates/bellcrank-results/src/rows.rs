@@ -2,11 +2,13 @@
 
 mod csv;
 mod parquet;
+mod series;
 
 use std::io;
 
 pub use csv::CsvRows;
 pub use parquet::ParquetRows;
+pub use series::write_parquet;
 
 use crate::Unit;
 
@@ -30,7 +32,7 @@ pub enum RowKind {
 
 /// A file that takes one row after the other: numbers by column, then words.
 ///
-/// Every file has one column of words after those of numbers, e.g. the reason of a failure.
+/// A file can have one column of words after those of numbers, e.g. the reason of a failure.
 pub trait RowWriter {
     /// Adds a row: SI values in the order of the columns, and words, empty where there are none.
     ///

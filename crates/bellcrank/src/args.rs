@@ -31,6 +31,17 @@ pub(crate) enum When {
     Never,
 }
 
+/// Formats of what a study leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// The motion as binary glTF 2.0.
+    Gltf,
+    /// All signals as Parquet.
+    Parquet,
+    /// All signals as CSV; always written.
+    Csv,
+}
+
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -63,6 +74,9 @@ pub(crate) struct RunArgs {
     /// Where to write; `results/<model name>` unless given.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
+    /// What else to write for each study, comma between: `gltf` is motion.glb, `parquet` series.parquet.
+    #[arg(long, value_name = "FORMATS", value_enum, value_delimiter = ',')]
+    pub(crate) export: Vec<Format>,
     /// Write the model with the values that its `optimize` study found into a new file.
     #[arg(long, value_name = "FILE")]
     pub(crate) write: Option<PathBuf>,

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::args::{CheckArgs, NewArgs, RunArgs};
+use bellcrank_report::Exports;
+
+use crate::args::{CheckArgs, Format, NewArgs, RunArgs};
 use crate::exit::Refusal;
 
 /// A parameter's name and its other value, as written.
@@ -28,6 +30,7 @@ pub(crate) struct RunConfig {
     pub(crate) settings: Vec<Setting>,
     /// `None` is the default, which depends on the model's name.
     pub(crate) out: Option<PathBuf>,
+    pub(crate) exports: Exports,
     pub(crate) write: Option<Write>,
     pub(crate) printed: Printed,
     /// 0 is one a core.
@@ -57,6 +60,7 @@ impl RunConfig {
             studies: distinct(&args.studies),
             settings,
             out: args.out.clone(),
+            exports: exports(&args.export),
             write: args.write.clone().map(|file| Write { file, force: args.force }),
             printed,
             threads: args.threads.map_or(0, usize::from),
@@ -120,6 +124,10 @@ fn setting(text: &str) -> Result<Setting, Refusal> {
         _ => Err(Refusal::command_line(format!("`--set` needs NAME=VALUE, found `{text}`"))
             .hint("write it as `--set l31=700mm`")),
     }
+}
+
+fn exports(formats: &[Format]) -> Exports {
+    Exports { gltf: formats.contains(&Format::Gltf), parquet: formats.contains(&Format::Parquet) }
 }
 
 fn distinct(names: &[String]) -> Vec<String> {

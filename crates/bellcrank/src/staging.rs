@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use bellcrank_report::write_run;
+use bellcrank_report::{Exports, write_run};
 use bellcrank_results::RunResult;
 
 use crate::exit::Refusal;
@@ -31,8 +31,8 @@ impl Staging {
     }
 
     /// Writes all files of a run and moves each into its place; gives back how many there are.
-    pub(crate) fn publish(&self, run: &RunResult) -> Result<usize, Refusal> {
-        let written = write_run(run, &self.room).map_err(|error| Refusal::command_line(error.to_string()))?;
+    pub(crate) fn publish(&self, run: &RunResult, exports: Exports) -> Result<usize, Refusal> {
+        let written = write_run(run, &self.room, exports).map_err(|error| Refusal::command_line(error.to_string()))?;
         for file in &written {
             self.move_out(file).map_err(|error| unwritable(&self.out, &error))?;
         }

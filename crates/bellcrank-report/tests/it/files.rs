@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use bellcrank_report::{ReportError, figures, write_report, write_run};
+use bellcrank_report::{Exports, ReportError, figures, write_report, write_run};
 
 use crate::markup::assert_balanced;
 use crate::sample::{lift, stewart};
@@ -16,7 +16,7 @@ fn folder(name: &str) -> PathBuf {
 #[test]
 fn a_run_leaves_these_files() {
     let dir = folder("run");
-    let written = write_run(&lift::run(), &dir).unwrap();
+    let written = write_run(&lift::run(), &dir, Exports::default()).unwrap();
     assert_eq!(written[0], dir.join("report.html"));
     for name in ["report.html", "lift/series.csv", "lift/summary.json", "massless/plots/drive-force.svg"] {
         assert!(dir.join(name).is_file(), "{name}");

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use bellcrank_report::{Style, figures, render_html, terminal_summary, write_run};
+use bellcrank_report::{Exports, Style, figures, render_html, terminal_summary, write_run};
 use serde_json::Value;
 
 use crate::markup::{assert_balanced, between};
@@ -128,7 +128,7 @@ fn pictures_hold_numbers_only() {
 fn each_kind_leaves_its_files() {
     let dir = std::env::temp_dir().join(format!("bellcrank-report-{}-kinds", std::process::id()));
     let _ = fs::remove_dir_all(&dir);
-    write_run(&kinds::run(), &dir).unwrap();
+    write_run(&kinds::run(), &dir, Exports::default()).unwrap();
     for name in [
         "influence/sensitivity.csv",
         "influence/curves.csv",

@@ -33,7 +33,8 @@ pub struct ParquetRows<W: Write> {
     /// Bytes written so far.
     at: u64,
     columns: Vec<RowColumn>,
-    words: String,
+    /// Name of the column of words; none without it.
+    words: Option<String>,
     numbers: Vec<Vec<f64>>,
     texts: Vec<String>,
     most_rows: usize,
@@ -41,11 +42,11 @@ pub struct ParquetRows<W: Write> {
 }
 
 impl<W: Write> ParquetRows<W> {
-    /// A file with these columns and, after them, one of words.
+    /// A file with these columns and, after them, one of words where that has a name.
     ///
     /// # Errors
     /// Whatever the file reports.
-    pub fn new(mut out: W, columns: Vec<RowColumn>, words: &str) -> io::Result<Self> {
+    pub fn new(mut out: W, columns: Vec<RowColumn>, words: Option<&str>) -> io::Result<Self> {
         out.write_all(MAGIC)?;
         let most_rows = (NUMBERS_IN_GROUP / columns.len().max(1)).clamp(ROWS_IN_GROUP.0, ROWS_IN_GROUP.1);
         Ok(Self {
@@ -53,7 +54,7 @@ impl<W: Write> ParquetRows<W> {
             at: MAGIC.len() as u64,
             numbers: vec![Vec::new(); columns.len()],
             columns,
-            words: words.to_owned(),
+            words: words.map(str::to_owned),
             texts: Vec::new(),
             most_rows,
             groups: Vec::new(),
@@ -77,8 +78,10 @@ impl<W: Write> ParquetRows<W> {
             self.numbers[index] = values;
             self.numbers[index].clear();
         }
-        let chunk = chunk::words(&self.texts);
-        chunks.push(self.write_chunk(&chunk)?);
+        if self.words.is_some() {
+            let chunk = chunk::words(&self.texts);
+            chunks.push(self.write_chunk(&chunk)?);
+        }
         self.groups.push(Group { rows: self.texts.len() as u64, start, bytes: self.at - start, chunks });
         self.texts.clear();
         Ok(())
@@ -106,7 +109,7 @@ impl<W: Write> RowWriter for ParquetRows<W> {
 
     fn finish(&mut self) -> io::Result<()> {
         self.flush_group()?;
-        let footer = footer::footer(&self.columns, &self.words, &self.groups);
+        let footer = footer::footer(&self.columns, self.words.as_deref(), &self.groups);
         self.out.write_all(&footer)?;
         self.out.write_all(&(footer.len() as u32).to_le_bytes())?;
         self.out.write_all(MAGIC)?;

@@ -44,7 +44,7 @@ const READ_BY_OTHERS: u64 = 12_701_215_835_123_894_575;
 #[test]
 fn parquet_rows_are_those_that_other_programs_read() {
     let mut out = Vec::new();
-    push_all(&mut ParquetRows::new(&mut out, columns(), "reason").unwrap());
+    push_all(&mut ParquetRows::new(&mut out, columns(), Some("reason")).unwrap());
     assert_eq!((&out[..4], &out[out.len() - 4..]), (&b"PAR1"[..], &b"PAR1"[..]));
     let length = u32::from_le_bytes(out[out.len() - 8..out.len() - 4].try_into().unwrap()) as usize;
     let footer = &out[out.len() - 8 - length..out.len() - 8];
@@ -57,7 +57,7 @@ fn parquet_rows_are_those_that_other_programs_read() {
 #[test]
 fn many_rows_go_out_in_groups() {
     let mut out = Vec::new();
-    let mut file = ParquetRows::new(&mut out, columns(), "reason").unwrap();
+    let mut file = ParquetRows::new(&mut out, columns(), Some("reason")).unwrap();
     for row in 0..70_000 {
         file.push(&[f64::from(row), 0.5, 1.0], "").unwrap();
     }
@@ -68,6 +68,27 @@ fn many_rows_go_out_in_groups() {
 #[test]
 fn a_file_without_rows_ends_as_it_should() {
     let mut out = Vec::new();
-    ParquetRows::new(&mut out, columns(), "reason").unwrap().finish().unwrap();
+    ParquetRows::new(&mut out, columns(), Some("reason")).unwrap().finish().unwrap();
     assert!(out.ends_with(b"PAR1"));
+}
+
+#[test]
+fn a_table_keeps_its_headings_and_numbers() {
+    let column = |name: &str, symbol: &str, factor: f64, values: [f64; 3]| crate::Column {
+        name: name.to_owned(),
+        unit: Unit::new(symbol, factor),
+        values: values.to_vec(),
+    };
+    let columns = vec![
+        column("time", "s", 1.0, [0.0, 0.125, 0.25]),
+        column("joint.A.position", "mm", 1e-3, [0.732, f64::NAN, 0.7]),
+    ];
+    let mut out = Vec::new();
+    write_parquet(&crate::Table { columns }, &mut out).unwrap();
+    let holds = |bytes: &[u8]| out.windows(bytes.len()).any(|window| window == bytes);
+    assert!(holds(b"joint.A.position [mm]") && holds(br#"{"time [s]":"s","joint.A.position [mm]":"mm"}"#));
+    assert!(holds(&732.0_f64.to_le_bytes()) && !holds(b"reason"));
+    let mut none = Vec::new();
+    write_parquet(&crate::Table::default(), &mut none).unwrap();
+    assert!(none.is_empty());
 }

@@ -54,7 +54,13 @@ fn run(studies: Vec<StudyResult>) -> RunResult {
         },
         parameters: vec![arm()],
         facts: vec![("bodies".to_owned(), "5".to_owned())],
-        drawing: Drawing { space: SpaceKind::Planar, bodies: Vec::new(), joints: Vec::new(), arrows: Vec::new() },
+        drawing: Drawing {
+            space: SpaceKind::Planar,
+            up: [0.0, 1.0, 0.0],
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            arrows: Vec::new(),
+        },
         studies,
         warnings: Vec::new(),
     }

@@ -27,7 +27,7 @@ pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal
     let watch = Watch::new(interrupt.clone(), config.printed, *console);
     let mut result = compute(&model, config, &out, watch)?;
     let written = improvement.map_or(Ok(()), |improvement| improvement.write(&model, &mut result));
-    let files = staging.publish(&result)?;
+    let files = staging.publish(&result, config.exports)?;
     tell(&result, &out, files, config.printed, console)?;
     let exit = exit(&result, &interrupt);
     // A search that failed or was stopped has an exit code of its own.

@@ -60,6 +60,17 @@ fn the_series_has_units_in_its_header() {
 }
 
 #[test]
+fn more_files_for_those_who_ask() {
+    let sandbox = Sandbox::with_lift("run-export");
+    sandbox.run(&["run", "lift.toml", "lift", "--quiet", "--export", "gltf,parquet,csv"]);
+    let bytes = |file: &str| std::fs::read(sandbox.folder.join("results/lift/lift").join(file)).unwrap();
+    assert!(bytes("motion.glb").starts_with(b"glTF") && bytes("series.parquet").ends_with(b"PAR1"));
+    assert!(bytes("series.csv").starts_with(b"joint."));
+    sandbox.run(&["run", "lift.toml", "massless", "--quiet"]);
+    assert!(!sandbox.exists("results/lift/massless/motion.glb"));
+}
+
+#[test]
 fn quiet_says_nothing() {
     let sandbox = Sandbox::with_lift("run-quiet");
     snapshot::check("run-quiet", &sandbox, &["run", "lift.toml", "lift", "--quiet"]);

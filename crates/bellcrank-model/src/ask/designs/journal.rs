@@ -95,7 +95,7 @@ impl Journal {
 
     fn write_parquet(&self, path: &Path) -> io::Result<()> {
         whole(path, |file| {
-            let mut rows = ParquetRows::new(BufWriter::new(file), self.columns.of_file(), REASON)?;
+            let mut rows = ParquetRows::new(BufWriter::new(file), self.columns.of_file(), Some(REASON))?;
             let mut line = Vec::new();
             let mut stored = Stored::open(&self.folder.join(CSV), &self.columns)?;
             let mut failed = Ok(());

@@ -217,6 +217,7 @@ fn drawing() -> Drawing {
     let a = L61 + L62;
     Drawing {
         space: SpaceKind::Planar,
+        up: [0.0, 1.0, 0.0],
         bodies: vec![
             body("ground", &[("O", [0.0, 0.0]), ("B", [0.0, L61]), ("A", [0.0, a])], &[], None),
             body("link1", &[("O", [0.0, 0.0])], &[], Some([L1 / 2.0, 0.0, 0.0])),

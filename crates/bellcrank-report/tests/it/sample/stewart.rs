@@ -149,7 +149,7 @@ fn drawing() -> Drawing {
         joints.push(joint("head", "spherical", (1, top[leg]), (upper, [0.35, 0.0, 0.0]), false));
     }
     let arrows = vec![Arrow { name: "payload".to_owned(), body: 1, at: [0.0, 0.0, 0.0] }];
-    Drawing { space: SpaceKind::Spatial, bodies, joints, arrows }
+    Drawing { space: SpaceKind::Spatial, up: [0.0, 0.0, 1.0], bodies, joints, arrows }
 }
 
 fn reactions() -> Vec<Reaction> {

@@ -26,9 +26,9 @@ pub(super) struct Group {
 }
 
 /// The `FileMetaData` structure.
-pub(super) fn footer(columns: &[RowColumn], words: &str, groups: &[Group]) -> Vec<u8> {
+pub(super) fn footer(columns: &[RowColumn], words: Option<&str>, groups: &[Group]) -> Vec<u8> {
     let mut names: Vec<(&str, i32)> = columns.iter().map(|column| (column.name.as_str(), kind(column))).collect();
-    names.push((words, BYTE_ARRAY));
+    names.extend(words.map(|words| (words, BYTE_ARRAY)));
     let rows = groups.iter().map(|group| group.rows).sum();
     let by_type = || Struct::default().structure(1, Struct::default());
     Struct::default()
