@@ -75,6 +75,18 @@ impl<T: Real> Space for Planar<T> {
     fn apply_inertia(j: &Vector<T, 1>, _: &Turn<T>, w: Vector<T, 1>) -> Vector<T, 1> {
         Vector([j[0] * w[0]])
     }
+    #[inline(always)]
+    fn inertia_times(j: &Vector<T, 1>, w: Vector<T, 1>) -> Vector<T, 1> {
+        Vector([j[0] * w[0]])
+    }
+    #[inline(always)]
+    fn add_inertia(a: &Vector<T, 1>, b: &Vector<T, 1>) -> Vector<T, 1> {
+        *a + *b
+    }
+    #[inline(always)]
+    fn moved_inertia(m: T, h: Vector<T, 2>, r: Vector<T, 2>) -> Vector<T, 1> {
+        Vector([r.dot(h) * T::from_f64(2.0) + m * r.dot(r)])
+    }
     fn vector(v: &[T; 3]) -> Vector<T, 2> {
         Vector([v[0], v[1]])
     }

@@ -84,6 +84,14 @@ pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     /// `R J Rᵀ w`: inertia in body axes applied to outer components.
     fn apply_inertia(j: &Self::Inertia, r: &Self::Rotation, w: Self::Angular) -> Self::Angular;
 
+    /// `J w` with the inertia in outer axes.
+    fn inertia_times(j: &Self::Inertia, w: Self::Angular) -> Self::Angular;
+    /// `J₁ + J₂`.
+    fn add_inertia(a: &Self::Inertia, b: &Self::Inertia) -> Self::Inertia;
+    /// What is added to the inertia of a mass `m` with first moment `h` about a point when the reference moves so that
+    /// the point lies at `r` from it: `(2 r·h + m r²) 1 − r hᵀ − h rᵀ − m r rᵀ`.
+    fn moved_inertia(m: Self::T, h: Self::Vector, r: Self::Vector) -> Self::Inertia;
+
     /// x, y(, z) of three numbers.
     fn vector(v: &[Self::T; 3]) -> Self::Vector;
     /// z or x, y, z of three numbers.

@@ -100,6 +100,25 @@ impl<T: Real> Space for Spatial<T> {
     fn apply_inertia(j: &Matrix3<T>, r: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
         r.times(j.times(r.times_transposed(w)))
     }
+    #[inline(always)]
+    fn inertia_times(j: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
+        j.times(w)
+    }
+    #[inline(always)]
+    fn add_inertia(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
+        Matrix3 { columns: std::array::from_fn(|j| a.columns[j] + b.columns[j]) }
+    }
+    #[inline(always)]
+    fn moved_inertia(m: T, h: Vector<T, 3>, r: Vector<T, 3>) -> Matrix3<T> {
+        // With s = h + m r the tensor is (r·(h + s)) 1 − r hᵀ − s rᵀ.
+        let s = h + r * m;
+        let diagonal = r.dot(h + s);
+        let mut columns: [Vector<T, 3>; 3] = std::array::from_fn(|j| -(r * h[j]) - s * r[j]);
+        for (j, column) in columns.iter_mut().enumerate() {
+            column[j] += diagonal;
+        }
+        Matrix3 { columns }
+    }
     fn vector(v: &[T; 3]) -> Vector<T, 3> {
         Vector(*v)
     }

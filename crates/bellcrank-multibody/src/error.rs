@@ -126,6 +126,13 @@ pub enum MechanismError {
         /// The coordinate that changed most against what was expected of it.
         coordinate: Coordinate,
     },
+    /// A hard stop stands in the way of what is driven, or of the start.
+    Blocked {
+        /// The stop.
+        force: crate::ForceId,
+        /// s.
+        time: f64,
+    },
     /// Events follow each other without time between them.
     EventStorm {
         /// s.

@@ -16,6 +16,7 @@ mod forces;
 mod forward;
 mod kinematics;
 mod lifted;
+mod mass_matrix;
 mod mechanism;
 mod resting;
 mod solver;

@@ -180,6 +180,11 @@ fn explain(namer: &Namer<'_>, error: &MechanismError) -> (String, Vec<String>) {
                 "a looser `tolerance` may pass over it".to_owned(),
             ],
         ),
+        MechanismError::Blocked { force, time } => {
+            let name = namer.design.forces.get(force.0).map_or("?", |force| force.name.as_str());
+            let message = format!("at {} the stop `{name}` stands in the way", namer.time(*time));
+            (message, vec!["let the motion or the start end before the stop, or give the stop a stiffness".to_owned()])
+        }
         MechanismError::EventStorm { time, forces } => {
             let names = forces.iter().filter_map(|f| namer.design.forces.get(f.0));
             let names = enumerated(names.map(|force| format!("`{}`", force.name)).collect());

@@ -294,8 +294,22 @@ fn rotation_vector<T: Real>(r: &[[T; 3]; 3]) -> [T; 3] {
     a.map(|x| x * k)
 }
 
-/// Friction effort from rate and normal force.
-pub(crate) fn friction_effort<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>, rate: S::T, normal: S::T) -> S::T {
+/// Which way friction looks at the slip: its sign, or smoothly through zero.
+pub(crate) fn friction_direction<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>, rate: S::T) -> S::T {
+    match f.smoothing_velocity {
+        Some(v) => (rate / now.value(v)).tanh(),
+        None => S::T::from_f64(rate.value().partial_cmp(&0.0).map_or(0.0, |o| f64::from(o as i8))),
+    }
+}
+
+/// Friction effort from rate, its direction, and normal force.
+pub(crate) fn friction_effort<S: Space>(
+    now: &Present<'_, S>,
+    f: &Friction<S::T>,
+    rate: S::T,
+    direction: S::T,
+    normal: S::T,
+) -> S::T {
     let mu_c = now.value(f.coulomb);
     let mu = match (f.static_coefficient, f.stribeck_velocity) {
         (Some(mu_s), Some(v_s)) => {
@@ -304,10 +318,17 @@ pub(crate) fn friction_effort<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>
         }
         _ => mu_c,
     };
-    let radius = f.radius.map_or(S::T::one(), |r| now.value(r));
-    let direction = match f.smoothing_velocity {
-        Some(v) => (rate / now.value(v)).tanh(),
-        None => S::T::from_f64(rate.value().partial_cmp(&0.0).map_or(0.0, |o| f64::from(o as i8))),
-    };
-    -(mu * normal * radius * direction) - now.value(f.viscous) * rate
+    -(mu * normal * lever(now, f) * direction) - now.value(f.viscous) * rate
+}
+
+/// Largest effort with which friction holds still.
+pub(crate) fn holding_effort<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>, normal: S::T) -> S::T {
+    let mu_c = now.value(f.coulomb);
+    let mu_s = f.static_coefficient.map_or(mu_c, |s| now.value(s));
+    let mu = if mu_s.value() > mu_c.value() { mu_s } else { mu_c };
+    mu * normal * lever(now, f)
+}
+
+fn lever<S: Space>(now: &Present<'_, S>, f: &Friction<S::T>) -> S::T {
+    f.radius.map_or(S::T::one(), |r| now.value(r))
 }

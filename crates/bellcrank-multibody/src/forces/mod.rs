@@ -5,5 +5,5 @@
 mod apply;
 mod element;
 
-pub(crate) use apply::{Output, Present, apply_all, friction_effort, push, read};
+pub(crate) use apply::{Output, Present, apply_all, friction_direction, friction_effort, holding_effort, push, read};
 pub(crate) use element::{Element, Friction, elements_of};

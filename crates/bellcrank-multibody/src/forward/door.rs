@@ -23,7 +23,8 @@ pub struct Dynamics {
     pub fixed_step: Option<f64>,
     /// No step is longer, s.
     pub largest_step: f64,
-    /// Times at which drives or forces are not smooth, ascending, s: no step passes over them.
+    /// Times at which drives or forces are not smooth, ascending, s: no step passes over them. The last one should be
+    /// the end of the run.
     pub breaks: Vec<f64>,
     /// How many [`Surroundings::switches`] are watched.
     pub switches: usize,

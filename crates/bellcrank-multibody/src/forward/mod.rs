@@ -1,8 +1,26 @@
 //! Forward dynamics: what forces make of a machine in time.
+//!
+//! `door` is what others see, `machine` the way from output to output. `saddle` solves masses and constraints together,
+//! `acceleration` and `project` use it; `start` makes the beginning consistent. Time is stepped by `explicit` or
+//! `implicit`; `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
 
+mod acceleration;
 mod door;
+mod dop853;
+mod explicit;
+mod flight;
+mod implicit;
+mod locks;
 mod machine;
+mod modes;
+mod project;
+mod saddle;
+mod start;
+mod state;
+mod step;
+mod watch;
 
 pub use door::{
     Advance, Begun, Dynamics, Event, EventKind, Forward, Linearized, Method, Mode, SolverEffort, Surroundings,
 };
+pub(crate) use flight::Flight;

@@ -40,6 +40,9 @@ impl<S: Space<T = f64>> Machine<S> {
 
     fn power_balance(&self) -> f64 {
         let moving = self.v.iter().any(|v| *v != 0.0);
+        if self.flight.is_some() {
+            return self.balance_along(&self.v, &self.x);
+        }
         let Some(prepared) = &self.prepared else { return f64::NAN };
         if moving {
             return self.balance_along(&self.v, &self.x);
@@ -98,6 +101,13 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     fn add_drive_powers(&self, v: &[f64], x: &[NodeState<S>], sum: &mut Sum) {
+        if let Some(flight) = &self.flight {
+            let sources = flight.driven.iter().copied().chain(flight.locks.iter().map(|l| l.source));
+            for (source, u) in sources.zip(&self.drive) {
+                sum.add_number(u * read(&self.mech, x, &self.q, v, source).1);
+            }
+            return;
+        }
         let Some(prepared) = &self.prepared else { return };
         for (c, u) in prepared.actuation.effort.iter().zip(&self.drive) {
             let Some(source) = self.mech.source(*c) else { continue };

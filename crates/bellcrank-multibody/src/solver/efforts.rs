@@ -4,7 +4,7 @@ use super::balance::{Balance, Demands, turn_attitude_drives};
 use super::machine::{Machine, Prepared, Stage};
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::dynamics;
-use crate::forces::{Element, Friction, Present, apply_all, friction_effort, read};
+use crate::forces::{Element, Friction, Present, apply_all, friction_direction, friction_effort, read};
 use crate::mechanism::Source;
 use crate::{Inputs, JointId, MechanismError, System};
 use bellcrank_math::Space;
@@ -67,7 +67,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// The passes of the balance over this machine.
-    pub(crate) fn passes<'a>(&'a mut self, system: &'a LinearSystem) -> Balance<'a, S> {
+    pub(crate) fn passes<'a>(&'a mut self, prescribed: &'a [Prescribed]) -> Balance<'a, S> {
         Balance {
             mech: &self.mech,
             x: &mut self.x,
@@ -76,21 +76,21 @@ impl<S: Space<T = f64>> Machine<S> {
             lambda: &self.lambda,
             friction: &self.friction,
             outputs: &self.outputs,
-            prescribed: &system.prescribed,
+            prescribed,
             wrench: &mut self.wrench,
         }
     }
 
     /// Inward pass and joint wrenches with the present multipliers.
-    pub(crate) fn gather_with_loops(&mut self, system: &LinearSystem, demands: Demands) {
-        let mut passes = self.passes(system);
+    pub(crate) fn gather_with_loops(&mut self, prescribed: &[Prescribed], demands: Demands) {
+        let mut passes = self.passes(prescribed);
         passes.gather_with_loops(demands);
         passes.collect_wrenches();
     }
 
     /// One solution of the balance with the present friction efforts.
     fn balance(&mut self, system: &mut LinearSystem) {
-        self.passes(system).gather_own();
+        self.passes(&system.prescribed).gather_own();
         dynamics::project(&self.mech, &self.x, &mut self.tau);
         self.tau.iter_mut().zip(&self.efforts).for_each(|(t, e)| *t -= e);
         self.subtract_tree_friction();
@@ -104,10 +104,10 @@ impl<S: Space<T = f64>> Machine<S> {
         if only_drives {
             return;
         }
-        self.gather_with_loops(system, Demands::All);
+        self.gather_with_loops(&system.prescribed, Demands::All);
     }
 
-    fn subtract_tree_friction(&mut self) {
+    pub(crate) fn subtract_tree_friction(&mut self) {
         for (element, e) in self.mech.elements.iter().zip(&self.friction) {
             if let Element::Friction(Friction { source: Source::Node(n), .. }) = element {
                 self.tau[self.mech.nodes[*n].v] -= e;
@@ -153,10 +153,11 @@ impl<S: Space<T = f64>> Machine<S> {
         let mut largest = f64::MIN_POSITIVE;
         for i in 0..self.mech.elements.len() {
             let Element::Friction(f) = self.mech.elements[i].clone() else { continue };
-            let normal = self.passes(system).normal_force(&f);
+            let normal = self.passes(&system.prescribed).normal_force(&f);
             let now = Present { mech: &self.mech, q: &self.q, v: &self.v, inputs: &self.inputs };
             let rate = read(&self.mech, &self.x, &self.q, &self.v, f.source).1;
-            let effort = friction_effort(&now, &f, rate, normal);
+            let direction = friction_direction(&now, &f, rate);
+            let effort = friction_effort(&now, &f, rate, direction, normal);
             let step = (effort - self.friction[i]).abs();
             largest = largest.max(effort.abs());
             if step.is_nan() || step > change.1 {

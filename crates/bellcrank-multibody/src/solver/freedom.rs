@@ -9,15 +9,15 @@ use crate::{Actuation, Coordinate, Freedom, MechanismError, Redundancy};
 use bellcrank_math::{Space, linalg::dense};
 
 /// Singular values below this part of the largest count as zero.
-const RANK: f64 = 1e-9;
+pub(crate) const RANK: f64 = 1e-9;
 /// Beyond this many coordinates ranks are not computed densely: the count stands for them.
-const LARGE: usize = 500;
+pub(crate) const LARGE: usize = 500;
 /// How far the neighbours lie at which a rank is confirmed, rad or machine sizes.
 const NEARBY: f64 = 1e-3;
 
 impl<S: Space<T = f64>> Machine<S> {
     /// Constraint Jacobian over all coordinates with lengths in machine sizes, by rows.
-    fn scaled_jacobian(&mut self) -> Vec<Vec<f64>> {
+    pub(crate) fn scaled_jacobian(&mut self) -> Vec<Vec<f64>> {
         self.rows.evaluate(&self.mech, &self.q, &self.x);
         let mut a = vec![vec![0.0; self.mech.nv]; self.mech.rows()];
         self.rows.each(&self.mech, |r, v, value| a[r][v] += value);
@@ -100,7 +100,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Rows with a part in the left null space, by name.
-    fn dependent_rows(&self, a: &[Vec<f64>]) -> Vec<Redundancy> {
+    pub(crate) fn dependent_rows(&self, a: &[Vec<f64>]) -> Vec<Redundancy> {
         let m = a.len();
         // A square left basis: pad the columns so that U holds m vectors.
         let wide = self.mech.nv.max(m);
@@ -190,7 +190,7 @@ impl<S: Space<T = f64>> Machine<S> {
         self.prepared = Some(prepared);
     }
 
-    fn check_list(&self, list: &[Coordinate]) -> Result<(), MechanismError> {
+    pub(crate) fn check_list(&self, list: &[Coordinate]) -> Result<(), MechanismError> {
         for (k, c) in list.iter().enumerate() {
             if list[..k].contains(c) {
                 return Err(MechanismError::DrivenTwice(*c));
@@ -227,7 +227,7 @@ impl<S: Space<T = f64>> Machine<S> {
         Ok(system)
     }
 
-    fn prescribed_rows(&mut self, list: &[Coordinate]) -> Vec<Vec<f64>> {
+    pub(crate) fn prescribed_rows(&mut self, list: &[Coordinate]) -> Vec<Vec<f64>> {
         let sources: Vec<Source> = list.iter().filter_map(|c| self.mech.source(*c)).collect();
         let rows = SparseRows::of_sources(&self.mech, &self.x, &sources);
         rows.dense(self.mech.nv)
@@ -267,7 +267,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Drives that take part in a dependency.
-    fn conflicting(&mut self, list: &[Coordinate]) -> Vec<Coordinate> {
+    pub(crate) fn conflicting(&mut self, list: &[Coordinate]) -> Vec<Coordinate> {
         let a = self.scaled_jacobian();
         let p = self.prescribed_rows(list);
         let full = dense::rank(&[a.clone(), p.clone()].concat(), self.mech.nv, RANK);

@@ -83,6 +83,8 @@ pub struct Machine<S: Space<T = f64>> {
     /// The measured angles: joint, coordinate, link and measure.
     pub(crate) measured_angles: Vec<(usize, usize, usize, Measure)>,
     pub(crate) has_friction: bool,
+    /// A run in time.
+    pub(crate) flight: Option<Box<crate::forward::Flight<S>>>,
     /// Derivatives, once they were asked for.
     pub(crate) tangent: Option<Box<Tangent<S::With<Seeded>>>>,
 }
@@ -135,6 +137,7 @@ impl<S: Space<T = f64>> Machine<S> {
             unwrapped: mech.sources.iter().map(|s| vec![0.0; s.len()]).collect(),
             measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
+            flight: None,
             tangent: None,
             room: None,
             mech,
@@ -156,6 +159,7 @@ impl<S: Space<T = f64>> Machine<S> {
         }
         self.time = 0.0;
         self.tangent = None;
+        self.flight = None;
         self.renewed = true;
         self.go_to_start();
         Ok(())

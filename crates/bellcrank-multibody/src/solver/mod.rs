@@ -15,4 +15,10 @@ mod statics;
 mod system;
 mod tangent;
 
+pub(crate) use assembly::SparseRows;
+pub(crate) use balance::{Demands, turn_attitude_drives};
+pub(crate) use freedom::{LARGE, RANK};
+pub(crate) use jacobian::{Entry, Rows, source_entries};
+pub(crate) use machine::Stage;
 pub use machine::{Machine, engine_for};
+pub(crate) use system::{OUT, Prescribed};

@@ -222,7 +222,7 @@ impl<S: Space<T = f64>> Machine<S> {
         for (k, p) in system.prescribed.iter().enumerate() {
             match p {
                 Prescribed::Node(n) => self.scratch.delta[self.mech.nodes[*n].v] = goal[k] - at[k],
-                Prescribed::Row(row, source) => self.scratch.rhs[*row] = self.row_step(*source, k, at, goal, system),
+                Prescribed::Row(row, source) => self.scratch.rhs[*row] = self.row_step(*source, k, at, goal),
             }
         }
         system.multiply_known(&self.rows, &self.scratch.delta, &mut self.scratch.product);
@@ -236,10 +236,10 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// How far a prescribed row has to go from `at` to `goal`.
-    fn row_step(&self, source: Source, k: usize, at: &[f64], goal: &[f64], system: &LinearSystem) -> f64 {
+    fn row_step(&self, source: Source, k: usize, at: &[f64], goal: &[f64]) -> f64 {
         match source {
             Source::Measured { measure: Measure::Attitude(i), .. } => {
-                let (a, g) = (attitude_of(system, k, i, at), attitude_of(system, k, i, goal));
+                let (a, g) = (attitude_of(k, i, at), attitude_of(k, i, goal));
                 turn_between(&matrix_from_rpy(&g), &matrix_from_rpy(&a))[i]
             }
             _ => goal[k] - at[k],
@@ -325,7 +325,7 @@ impl<S: Space<T = f64>> Machine<S> {
         }
         for (k, p) in system.prescribed.iter().enumerate() {
             if let Prescribed::Row(row, source) = p {
-                let error = self.row_error(*source, k, targets, system);
+                let error = self.row_error(*source, k, targets);
                 self.scratch.rhs[*row] = -error;
                 largest = if error.is_nan() { f64::INFINITY } else { largest.max(error.abs()) };
             }
@@ -334,11 +334,11 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Measured less asked, angles by the shorter way.
-    fn row_error(&self, source: Source, k: usize, targets: &[f64], system: &LinearSystem) -> f64 {
+    pub(crate) fn row_error(&self, source: Source, k: usize, targets: &[f64]) -> f64 {
         let Source::Measured { link, measure } = source else { return 0.0 };
         let pose = self.mech.links[link].pose(&self.x);
         if let Measure::Attitude(i) = measure {
-            let target = attitude_of(system, k, i, targets);
+            let target = attitude_of(k, i, targets);
             return turn_between(&pose.relative(), &matrix_from_rpy(&target))[i];
         }
         let error = self.mech.links[link].measure(measure, &pose).value - targets[k];
@@ -410,7 +410,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Follows measured angles across ±180°.
-    fn note_unwrapped(&mut self) {
+    pub(crate) fn note_unwrapped(&mut self) {
         for (j, i, link, measure) in &self.measured_angles {
             let raw = self.mech.links[*link].measure(*measure, &self.mech.links[*link].pose(&self.x)).value;
             let last = &mut self.unwrapped[*j][*i];
@@ -427,8 +427,7 @@ impl<S: Space<T = f64>> Machine<S> {
 }
 
 /// Roll, pitch, yaw among targets, given that entry `k` is component `i`.
-fn attitude_of(system: &LinearSystem, k: usize, i: usize, targets: &[f64]) -> [f64; 3] {
-    debug_assert!(system.prescribed.len() == targets.len());
+fn attitude_of(k: usize, i: usize, targets: &[f64]) -> [f64; 3] {
     std::array::from_fn(|c| targets.get(k + c - i).copied().unwrap_or(0.0))
 }
 

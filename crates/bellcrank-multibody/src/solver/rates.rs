@@ -103,7 +103,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Second derivatives of all rows with the accelerations that velocities alone cause, into `rhs`.
-    fn fill_bias(&mut self) {
+    pub(crate) fn fill_bias(&mut self) {
         for &k in &self.mech.closing {
             let link = &self.mech.links[k];
             let pose = link.pose_for_rows(&self.x);
@@ -117,7 +117,7 @@ impl<S: Space<T = f64>> Machine<S> {
         }
     }
 
-    fn row_bias(&self, source: Source) -> f64 {
+    pub(crate) fn row_bias(&self, source: Source) -> f64 {
         let Source::Measured { link, measure } = source else { return 0.0 };
         let link = &self.mech.links[link];
         let pose = link.pose(&self.x);
@@ -129,7 +129,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// What a prescribed row's first and second derivative should be.
-    fn row_target(&self, source: Source, k: usize, velocity: &[f64], acceleration: &[f64]) -> (f64, f64) {
+    pub(crate) fn row_target(&self, source: Source, k: usize, velocity: &[f64], acceleration: &[f64]) -> (f64, f64) {
         let Source::Measured { link, measure: Measure::Attitude(i) } = source else {
             return (velocity[k], acceleration[k]);
         };

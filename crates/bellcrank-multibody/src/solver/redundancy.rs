@@ -18,7 +18,7 @@ impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn choose_least_norm(&mut self, system: &LinearSystem) {
         let nullity = system.nullity();
         let particular = self.lambda.clone();
-        self.gather_with_loops(system, Demands::All);
+        self.gather_with_loops(&system.prescribed, Demands::All);
         let base = self.weighted_wrenches();
         let stress = self.self_stresses(system);
         let columns: Vec<&Vec<f64>> = stress.iter().map(|s| &s.1).collect();
@@ -44,7 +44,7 @@ impl<S: Space<T = f64>> Machine<S> {
             .map(|i| {
                 self.lambda.fill(0.0);
                 system.null_vector(i, &mut self.lambda);
-                self.gather_with_loops(system, Demands::None);
+                self.gather_with_loops(&system.prescribed, Demands::None);
                 (self.lambda.clone(), self.weighted_wrenches())
             })
             .collect();

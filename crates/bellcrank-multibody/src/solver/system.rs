@@ -9,7 +9,8 @@ use crate::workspace::NodeState;
 use bellcrank_math::Space;
 use bellcrank_math::linalg::{BandLu, Qr, band_ordering};
 
-const OUT: usize = usize::MAX;
+/// No place: a prescribed component is no unknown.
+pub(crate) const OUT: usize = usize::MAX;
 /// Below this many unknowns a dense factorization is the fastest band.
 const DENSE: usize = 48;
 /// Pivot ratios below this mean singular.

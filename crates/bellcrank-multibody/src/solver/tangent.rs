@@ -11,7 +11,7 @@ use super::readings::Solved;
 use super::system::{LinearSystem, Prescribed, SINGULAR};
 use crate::attitude::{quaternion_of, quaternion_product, spin_of_rpy};
 use crate::constraint::Measure;
-use crate::forces::{Element, Output, Present, apply_all, friction_effort, read};
+use crate::forces::{Element, Output, Present, apply_all, friction_direction, friction_effort, read};
 use crate::kinematics;
 use crate::mechanism::{Mechanism, Source};
 use crate::topology::Motion;
@@ -394,7 +394,8 @@ impl<D: Space<T = Seeded>> Tangent<D> {
             let normal = self.passes(prescribed).0.normal_force(&f);
             let now = Present { mech: &self.mech, q: &self.q, v: &self.v, inputs: &self.inputs };
             let rate = read(&self.mech, &self.x, &self.q, &self.v, f.source).1;
-            let effort = friction_effort(&now, &f, rate, normal);
+            let direction = friction_direction(&now, &f, rate);
+            let effort = friction_effort(&now, &f, rate, direction, normal);
             for (new, old) in effort.eps.iter().zip(&self.friction[i].eps) {
                 largest = largest.max(new.abs());
                 if (new - old).abs() > change.1 {

@@ -4,6 +4,7 @@
 
 mod build;
 mod chain;
+mod forward;
 mod lift;
 mod machines;
 mod random;

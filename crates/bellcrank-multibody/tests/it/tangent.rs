@@ -249,6 +249,7 @@ fn friction(c: Coordinate) -> Force<f64> {
         stribeck_velocity: None,
         viscous: k(1.3),
         radius: Some(k(0.03)),
+        smoothing_velocity: None,
     }
 }
 

@@ -1,0 +1,382 @@
+//! The linear system of forward dynamics: masses, and the constraints that they move under.
+//!
+//! `[M Jᵀ; J 0] [a; μ] = [τ; γ]` over the coordinates that nothing prescribes, with lengths in machine sizes, masses
+//! in the machine's largest, and rows of J of size one, so that pivots can be compared. Where equations depend on each
+//! other (over-constrained machines, special positions) `−ε` stands in the lower block and the solution is refined
+//! against the system without it (method of multipliers): the motion is that of the constraints, the multipliers are
+//! those of least size.
+
+use crate::mass_matrix::MassMatrix;
+use crate::mechanism::{Mechanism, Source};
+use crate::solver::{Entry, OUT, Prescribed, Rows, source_entries};
+use crate::topology::Motion;
+use crate::workspace::NodeState;
+use bellcrank_math::Space;
+use bellcrank_math::linalg::{BandLu, band_ordering};
+
+/// Below this many unknowns a dense factorization is the fastest band.
+const DENSE: usize = 48;
+/// Pivot ratios below this mean that a mass is missing, or an equation depends on others.
+const SINGULAR: f64 = 1e-12;
+/// Below this the regularized system is taken.
+const WEAK: f64 = 1e-9;
+/// Compliance of dependent equations, scaled.
+const COMPLIANCE: f64 = 1e-7;
+/// Refinements of a regularized solution.
+const REFINEMENTS: usize = 4;
+
+/// The system with storage for its factorization and solutions.
+#[derive(Clone, Debug)]
+pub(crate) struct Saddle {
+    /// In the order of the driven coordinates, then what is locked.
+    pub(crate) prescribed: Vec<Prescribed>,
+    /// Place of each velocity component among the unknowns, or `OUT`.
+    free: Vec<usize>,
+    /// Velocity component of each unknown.
+    pub(crate) columns: Vec<usize>,
+    /// All rows: links, couplings, prescribed rows.
+    pub(crate) rows: usize,
+    /// Place of each unknown (columns, then rows) in the band.
+    place: Vec<usize>,
+    lu: BandLu,
+    /// Unknowns of each mass entry (`OUT` where prescribed).
+    mass: Vec<(usize, usize)>,
+    /// Row and unknown of each entry of the links' blocks.
+    blocks: Vec<(usize, usize)>,
+    /// Entries of prescribed rows at the last fill.
+    pub(crate) extra: Vec<Entry>,
+    /// Scaled entries over unknowns: (row, column, value) of M's lower triangle and of J.
+    masses: Vec<(usize, usize, f64)>,
+    jacobian: Vec<(usize, usize, f64)>,
+    /// Scale of each velocity component and row.
+    column_scale: Vec<f64>,
+    row_scale: Vec<f64>,
+    mass_scale: f64,
+    /// Equations depend on others by structure.
+    pub(crate) redundant: bool,
+    /// The last factorization is a regularized one.
+    regularized: bool,
+    right: Vec<f64>,
+    solution: Vec<f64>,
+    residual: Vec<f64>,
+}
+
+impl Saddle {
+    pub(crate) fn new<S: Space<T = f64>>(
+        mech: &Mechanism<S>,
+        rows: &Rows<S>,
+        mass: &MassMatrix<S>,
+        sources: &[Source],
+        redundant: bool,
+    ) -> Self {
+        Self::over(mech, rows, mass, unknowns(mech, sources), redundant)
+    }
+
+    /// This system with one coordinate more as a row, whether it is one of the tree or not: for impulses along it.
+    pub(crate) fn with_row<S: Space<T = f64>>(
+        &self,
+        mech: &Mechanism<S>,
+        rows: &Rows<S>,
+        mass: &MassMatrix<S>,
+        source: Source,
+    ) -> Self {
+        let (free, columns, count) = (self.free.clone(), self.columns.clone(), self.rows + 1);
+        let prescribed = self.prescribed.iter().copied().chain([Prescribed::Row(self.rows, source)]).collect();
+        let mut system = Self::over(mech, rows, mass, (free, columns, prescribed, count), self.redundant);
+        system.mass_scale = self.mass_scale;
+        system.row_scale[..self.rows].copy_from_slice(&self.row_scale);
+        system
+    }
+
+    fn over<S: Space<T = f64>>(
+        mech: &Mechanism<S>,
+        rows: &Rows<S>,
+        mass: &MassMatrix<S>,
+        (free, columns, prescribed, count): Unknowns,
+        redundant: bool,
+    ) -> Self {
+        let (n, size) = (columns.len(), columns.len() + count);
+        let mut system = Self {
+            prescribed,
+            free,
+            columns,
+            rows: count,
+            place: (0..size).collect(),
+            lu: BandLu::new(0, 0, 0),
+            mass: Vec::new(),
+            blocks: Vec::new(),
+            extra: Vec::new(),
+            masses: Vec::new(),
+            jacobian: Vec::new(),
+            column_scale: vec![1.0; mech.nv],
+            row_scale: vec![1.0; count],
+            mass_scale: 1.0,
+            redundant,
+            regularized: false,
+            right: vec![0.0; size],
+            solution: vec![0.0; size],
+            residual: vec![0.0; size],
+        };
+        let length = mech.size.max(1e-9);
+        for node in mech.nodes.iter().filter(|n| matches!(n.motion, Motion::Slide)) {
+            system.column_scale[node.v] = length;
+        }
+        system.mass = mass.entries.iter().map(|&(i, j)| (system.free[i], system.free[j])).collect();
+        rows.each_of_links(mech, |row, v, _| system.blocks.push((row, v)));
+        system.arrange(mech, rows, n, size);
+        system
+    }
+
+    /// The band, from the pattern of all that may stand in the matrix.
+    fn arrange<S: Space<T = f64>>(&mut self, mech: &Mechanism<S>, rows: &Rows<S>, n: usize, size: usize) {
+        if size <= DENSE {
+            self.lu = BandLu::new(size, size, size);
+            return;
+        }
+        let mut pattern = vec![Vec::new(); size];
+        let mut put = |i: usize, j: usize| {
+            pattern[i].push(j);
+            if i != j {
+                pattern[j].push(i);
+            }
+        };
+        self.mass.iter().filter(|m| m.0 != OUT && m.1 != OUT).for_each(|m| put(m.0, m.1));
+        (0..size).for_each(|i| put(i, i));
+        let free = &self.free;
+        rows.each(mech, |r, v, _| {
+            if free[v] != OUT {
+                put(n + r, free[v]);
+            }
+        });
+        for p in &self.prescribed {
+            match p {
+                Prescribed::Row(row, Source::Measured { link, .. }) => {
+                    mech.links[*link].columns.iter().filter(|&&v| free[v] != OUT).for_each(|&v| put(n + row, free[v]));
+                }
+                Prescribed::Row(row, Source::Node(node)) => put(n + row, free[mech.nodes[*node].v]),
+                Prescribed::Node(_) => {}
+            }
+        }
+        pattern.iter_mut().for_each(|row| {
+            row.sort_unstable();
+            row.dedup();
+        });
+        let order = band_ordering(&pattern, size);
+        // One order for rows and columns keeps the matrix symmetric.
+        let place = order.column;
+        let mut reach = 0;
+        for (i, row) in pattern.iter().enumerate() {
+            row.iter().for_each(|&j| reach = reach.max(place[i].abs_diff(place[j])));
+        }
+        self.place = place;
+        self.lu = BandLu::new(size, reach, reach);
+    }
+
+    /// Scales from the machine as it stands: call once after the first [`Saddle::fill`] of a new system.
+    pub(crate) fn rescale(&mut self) {
+        let mut largest = vec![0.0_f64; self.rows];
+        for &(r, _, value) in &self.jacobian {
+            largest[r] = largest[r].max((value / self.row_scale[r]).abs());
+        }
+        for (scale, l) in self.row_scale.iter_mut().zip(&largest) {
+            *scale = if *l > 1e-9 { 1.0 / l } else { 1.0 };
+        }
+        let top = self.masses.iter().fold(0.0, |m: f64, e| if e.0 == e.1 { m.max(e.2 * self.mass_scale) } else { m });
+        self.mass_scale = if top > 0.0 { top } else { 1.0 };
+    }
+
+    /// Takes over masses and the Jacobian at the present position.
+    #[inline]
+    pub(crate) fn fill<S: Space<T = f64>>(
+        &mut self,
+        mech: &Mechanism<S>,
+        rows: &Rows<S>,
+        mass: &MassMatrix<S>,
+        x: &[NodeState<S>],
+    ) {
+        self.masses.clear();
+        for (&(i, j), ((v, u), value)) in self.mass.iter().zip(mass.entries.iter().zip(&mass.values)) {
+            if i != OUT && j != OUT {
+                let scale = self.column_scale[*v] * self.column_scale[*u] / self.mass_scale;
+                self.masses.push((i, j, value * scale));
+            }
+        }
+        self.fill_rows(mech, rows, x);
+    }
+
+    #[inline]
+    fn fill_rows<S: Space<T = f64>>(&mut self, mech: &Mechanism<S>, rows: &Rows<S>, x: &[NodeState<S>]) {
+        self.extra.clear();
+        for p in &self.prescribed {
+            if let Prescribed::Row(row, source) = p {
+                source_entries(mech, x, *source, 1.0, *row, &mut self.extra);
+            }
+        }
+        self.jacobian.clear();
+        let links = self.blocks.iter().zip(&rows.block).map(|(&(r, v), value)| (r, v, *value));
+        for (r, v, value) in links.chain(rows.coupling.iter().copied()).chain(self.extra.iter().copied()) {
+            let c = self.free[v];
+            if c != OUT {
+                self.jacobian.push((r, c, value * self.row_scale[r] * self.column_scale[v]));
+            }
+        }
+    }
+
+    /// Factors what was filled in. `false` where even the regularized system is singular: a mass is missing.
+    #[inline]
+    pub(crate) fn factor(&mut self) -> bool {
+        if !self.redundant {
+            let ratio = self.factor_with(0.0);
+            if ratio > WEAK {
+                return true;
+            }
+        }
+        self.factor_with(COMPLIANCE) > SINGULAR
+    }
+
+    fn factor_with(&mut self, compliance: f64) -> f64 {
+        self.regularized = compliance > 0.0;
+        let n = self.columns.len();
+        self.lu.clear();
+        for &(i, j, value) in &self.masses {
+            let (p, q) = (self.place[i], self.place[j]);
+            self.lu.add(p, q, value);
+            if i != j {
+                self.lu.add(q, p, value);
+            }
+        }
+        for &(r, c, value) in &self.jacobian {
+            let (p, q) = (self.place[n + r], self.place[c]);
+            self.lu.add(p, q, value);
+            self.lu.add(q, p, value);
+        }
+        if self.regularized {
+            (0..self.rows).for_each(|r| self.lu.add(self.place[n + r], self.place[n + r], -compliance));
+        }
+        self.lu.factor()
+    }
+
+    /// Solves `M a + Jᵀ μ = τ`, `J a = γ`: `tau` and `out` have nv components (prescribed ones of `out` stay), `gamma`
+    /// and `mu` one a row.
+    pub(crate) fn solve(&mut self, tau: &[f64], gamma: &[f64], out: &mut [f64], mu: &mut [f64]) {
+        let n = self.columns.len();
+        for (i, &v) in self.columns.iter().enumerate() {
+            self.right[i] = tau[v] * self.column_scale[v] / self.mass_scale;
+        }
+        for r in 0..self.rows {
+            self.right[n + r] = gamma[r] * self.row_scale[r];
+        }
+        if self.regularized {
+            self.solve_refined();
+        } else {
+            self.solve_once();
+        }
+        for (i, &v) in self.columns.iter().enumerate() {
+            out[v] = self.solution[i] * self.column_scale[v];
+        }
+        for (r, mu) in mu.iter_mut().enumerate().take(self.rows) {
+            *mu = self.solution[n + r] * self.row_scale[r] * self.mass_scale;
+        }
+    }
+
+    fn solve_once(&mut self) {
+        for (i, p) in self.place.iter().enumerate() {
+            self.residual[*p] = self.right[i];
+        }
+        self.lu.solve(&mut self.residual);
+        for (i, p) in self.place.iter().enumerate() {
+            self.solution[i] = self.residual[*p];
+        }
+    }
+
+    fn solve_refined(&mut self) {
+        self.solution.fill(0.0);
+        for _ in 0..REFINEMENTS {
+            self.leave_residual();
+            self.lu.solve(&mut self.residual);
+            for (x, p) in self.solution.iter_mut().zip(&self.place) {
+                *x += self.residual[*p];
+            }
+        }
+    }
+
+    /// What the present solution leaves of the right side, in the order of the band.
+    fn leave_residual(&mut self) {
+        let n = self.columns.len();
+        for (i, p) in self.place.iter().enumerate() {
+            self.residual[*p] = self.right[i];
+        }
+        for &(i, j, value) in &self.masses {
+            self.residual[self.place[i]] -= value * self.solution[j];
+            if i != j {
+                self.residual[self.place[j]] -= value * self.solution[i];
+            }
+        }
+        for &(r, c, value) in &self.jacobian {
+            self.residual[self.place[n + r]] -= value * self.solution[c];
+            self.residual[self.place[c]] -= value * self.solution[n + r];
+        }
+    }
+
+    /// `J u` over all unknown columns, unscaled, one a row.
+    pub(crate) fn times(&self, u: &[f64], out: &mut [f64]) {
+        out[..self.rows].fill(0.0);
+        for &(r, c, value) in &self.jacobian {
+            let v = self.columns[c];
+            out[r] += value / (self.row_scale[r] * self.column_scale[v]) * u[v];
+        }
+    }
+
+    /// The scaled Jacobian over unknowns, dense, by rows.
+    pub(crate) fn dense_jacobian(&self) -> Vec<Vec<f64>> {
+        let mut a = vec![vec![0.0; self.columns.len()]; self.rows];
+        self.jacobian.iter().for_each(|&(r, c, value)| a[r][c] += value);
+        a
+    }
+
+    /// The scaled mass matrix over unknowns, dense.
+    pub(crate) fn dense_masses(&self) -> Vec<Vec<f64>> {
+        let n = self.columns.len();
+        let mut a = vec![vec![0.0; n]; n];
+        for &(i, j, value) in &self.masses {
+            a[i][j] += value;
+            if i != j {
+                a[j][i] += value;
+            }
+        }
+        a
+    }
+
+    /// Scale of the unknown `i`: what one of its units is in SI.
+    pub(crate) fn unit(&self, i: usize) -> f64 {
+        self.column_scale[self.columns[i]]
+    }
+}
+
+type Unknowns = (Vec<usize>, Vec<usize>, Vec<Prescribed>, usize);
+
+fn unknowns<S: Space<T = f64>>(mech: &Mechanism<S>, sources: &[Source]) -> Unknowns {
+    let mut free = vec![0; mech.nv];
+    let mut count = mech.rows();
+    let mut prescribed = Vec::with_capacity(sources.len());
+    for s in sources {
+        prescribed.push(match s {
+            Source::Node(n) => {
+                free[mech.nodes[*n].v] = OUT;
+                Prescribed::Node(*n)
+            }
+            measured => {
+                count += 1;
+                Prescribed::Row(count - 1, *measured)
+            }
+        });
+    }
+    let mut columns = Vec::new();
+    for (v, f) in free.iter_mut().enumerate() {
+        if *f != OUT {
+            *f = columns.len();
+            columns.push(v);
+        }
+    }
+    (free, columns, prescribed, count)
+}
