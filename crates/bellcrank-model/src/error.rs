@@ -20,7 +20,14 @@ pub enum RunError {
     NotAvailable {
         /// The study.
         study: String,
-        /// Its kind, or that of the study it asks.
+        /// Its kind.
+        kind: String,
+    },
+    /// This version does not ask this of a study of dynamics.
+    NotAsked {
+        /// The study.
+        study: String,
+        /// Its kind.
         kind: String,
     },
 }
@@ -35,8 +42,11 @@ impl RunError {
                 vec!["the file has no studies: add a `[studies.NAME]` table".to_owned()]
             }
             RunError::UnknownStudy { known, .. } => vec![format!("studies of this file: {}", known.join(", "))],
-            RunError::NotAvailable { .. } => {
-                vec![format!("this version runs {}", AVAILABLE.join(", "))]
+            RunError::NotAvailable { .. } => vec![format!("this version runs {}", AVAILABLE.join(", "))],
+            RunError::NotAsked { .. } => {
+                let hint = "ask a study of kind kinematics, inverse-dynamics or statics; run the dynamics by itself with \
+                            other parameters: `--set NAME=VALUE`, or `like` and `set`";
+                vec![hint.to_owned()]
             }
         }
     }
@@ -48,6 +58,9 @@ impl fmt::Display for RunError {
             RunError::UnknownStudy { name, .. } => write!(f, "there is no study `{name}`"),
             RunError::NotAvailable { study, kind } => {
                 write!(f, "study `{study}`: studies of kind `{kind}` are not in this version")
+            }
+            RunError::NotAsked { study, kind } => {
+                write!(f, "study `{study}`: this version has no `{kind}` of a study of kind `dynamics`")
             }
         }
     }

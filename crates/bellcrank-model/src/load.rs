@@ -109,6 +109,7 @@ fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
         let wrong = study.faults(&read.design);
         if wrong.is_empty() {
             found.extend(build::implausible_study(&read.design, study));
+            found.extend(build::idle_velocities(&read.design, study));
         }
         // Of several studies that share a fault one is enough.
         found.extend(

@@ -8,7 +8,7 @@ use bellcrank_multibody::{Blueprint, Engine};
 use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult, file_stems};
 
 use crate::build::{self, Built};
-use crate::design::{Design, Study, Task, Values};
+use crate::design::{Design, Missing, Study, Task, Values};
 use crate::{Check, Progress, RunError, RunOptions, ask, check, drawing, provenance, run};
 
 /// A study as the file names it.
@@ -136,7 +136,7 @@ impl Model {
         let info = |study: &Study| StudyInfo {
             name: study.name.clone(),
             kind: study.kind.to_owned(),
-            available: study.missing_kind().is_none(),
+            available: study.missing().is_none(),
         };
         self.parts.studies.iter().map(info).collect()
     }
@@ -165,6 +165,14 @@ impl Model {
     #[must_use]
     pub fn check(&self) -> Check {
         check::check(self)
+    }
+
+    /// Whether a study can be run.
+    ///
+    /// # Errors
+    /// When there is no such study, or this version does not run it.
+    pub fn runs(&self, study: &str) -> Result<(), RunError> {
+        self.runnable(study).map(|_| ())
     }
 
     /// Runs one study. What goes wrong on the way is in [`StudyResult::failure`], with the rows up to there.
@@ -196,7 +204,7 @@ impl Model {
         let mut warnings = Vec::new();
         let chosen: Vec<&Study> = if studies.is_empty() {
             let (available, later): (Vec<&Study>, Vec<&Study>) =
-                self.parts.studies.iter().partition(|study| study.missing_kind().is_none());
+                self.parts.studies.iter().partition(|study| study.missing().is_none());
             warnings.extend(later.into_iter().map(left_out));
             available
         } else {
@@ -243,8 +251,10 @@ impl Model {
                 known: known().map(str::to_owned).collect(),
             });
         };
-        match study.missing_kind() {
-            Some(kind) => Err(RunError::NotAvailable { study: name.to_owned(), kind: kind.to_owned() }),
+        let (named, kind) = (name.to_owned(), study.kind.to_owned());
+        match study.missing() {
+            Some(Missing::Kind) => Err(RunError::NotAvailable { study: named, kind }),
+            Some(Missing::Question) => Err(RunError::NotAsked { study: named, kind }),
             None => Ok(study),
         }
     }
@@ -263,8 +273,13 @@ impl Model {
 }
 
 fn left_out(study: &Study) -> String {
-    let kind = study.missing_kind().unwrap_or(study.kind);
-    format!("study `{}` was left out: studies of kind `{kind}` are not in this version", study.name)
+    let (name, kind) = (&study.name, study.kind);
+    match study.missing() {
+        Some(Missing::Question) => {
+            format!("study `{name}` was left out: this version has no `{kind}` of a study of kind `dynamics`")
+        }
+        _ => format!("study `{name}` was left out: studies of kind `{kind}` are not in this version"),
+    }
 }
 
 /// One parameter of a set, as results tell it.

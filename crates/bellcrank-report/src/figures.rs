@@ -65,6 +65,7 @@ fn of_findings(study: &StudyResult, findings: &Findings) -> Vec<FigureFile> {
         Findings::Optimization(found) => optimization::figures(found),
         Findings::Designs(found) => designs::figures(found),
         Findings::Tolerance(found) => tolerance::figures(found),
+        Findings::Modes(_) => Vec::new(),
         Findings::Sizing(_) => over_the_axis(study),
     }
 }

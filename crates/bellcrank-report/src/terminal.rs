@@ -1,5 +1,6 @@
 //! The summary that a run prints: what an engineer reads at a glance.
 
+mod events;
 mod grid;
 mod kinds;
 mod paint;
@@ -65,7 +66,8 @@ impl Page<'_> {
                 text.push_str(&self.note("  try", Ink::Plain, hint));
             }
         }
-        for sentence in kinds::sentences(study) {
+        let happened = study.events.iter().flat_map(told::events::sentences);
+        for sentence in kinds::sentences(study).into_iter().chain(happened) {
             text.push_str(&self.line(&sentence));
         }
         if let Some(why) = told::unmet(study) {
@@ -73,6 +75,9 @@ impl Page<'_> {
         }
         for table in kinds::tables(study) {
             text.push_str(&table.text(self.style));
+        }
+        if let Some(happened) = &study.events {
+            text.push_str(&events::table(happened).text(self.style));
         }
         for table in [drive_table(study), reaction_table(study), scalar_table(study)] {
             text.push_str(&table.text(self.style));

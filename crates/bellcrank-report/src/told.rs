@@ -3,6 +3,8 @@
 //! Names stand between backticks; numbers have plain minus signs, which the page sets itself.
 
 mod designs;
+pub(crate) mod events;
+pub(crate) mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
@@ -23,6 +25,7 @@ pub(crate) fn sentences(findings: &Findings) -> Vec<String> {
         Findings::Optimization(found) => optimization::sentences(found),
         Findings::Designs(found) => designs::sentences(found),
         Findings::Tolerance(found) => tolerance::sentences(found),
+        Findings::Modes(found) => modes::sentences(found),
         Findings::Sizing(found) => sizing::sentences(found),
     }
 }
@@ -36,7 +39,7 @@ pub(crate) fn unmet(study: &StudyResult) -> Option<String> {
         Findings::Optimization(found) => optimization::unmet(found),
         Findings::Designs(found) => designs::unmet(found),
         Findings::Sizing(found) => sizing::unmet(found),
-        Findings::Sensitivity(_) | Findings::Tolerance(_) => None,
+        Findings::Sensitivity(_) | Findings::Tolerance(_) | Findings::Modes(_) => None,
     }
 }
 

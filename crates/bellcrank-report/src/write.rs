@@ -3,7 +3,9 @@
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-use bellcrank_results::{RunResult, StudyResult, finding_tables, study_summary, write_csv, write_text_csv};
+use bellcrank_results::{
+    RunResult, StudyResult, event_table, finding_tables, study_summary, write_csv, write_text_csv,
+};
 
 use crate::exports::{Exports, write_exports};
 use crate::html::page;
@@ -68,9 +70,10 @@ fn write_series(study: &StudyResult, path: PathBuf) -> Result<PathBuf, ReportErr
     }
 }
 
-/// One file a table of the findings: `sensitivity.csv`, `iterations.csv`, `candidates.csv`, ...
+/// One file a table of the findings: `sensitivity.csv`, `iterations.csv`, `candidates.csv`, ...; and `events.csv`.
 fn write_tables(study: &StudyResult, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = study.findings.iter().flat_map(finding_tables);
+    let happened = study.events.as_ref().and_then(event_table).map(|table| ("events".to_owned(), table));
+    let tables = study.findings.iter().flat_map(finding_tables).chain(happened);
     let write = |(stem, table)| {
         let path = folder.join(format!("{stem}.csv"));
         match File::create(&path).and_then(|file| write_text_csv(&table, file)) {

@@ -2,7 +2,8 @@
 
 use crate::summary::{change, rounded};
 use crate::{
-    Candidate, Check, Field, Findings, Optimization, Sensitivity, Sizing, TextTable, Tolerance, Unit, heading,
+    Candidate, Check, Event, Events, Field, Findings, Modes, Optimization, Sensitivity, Sizing, TextTable, Tolerance,
+    Unit, heading,
 };
 
 /// The tables of a finding, each with the stem of its file: `sensitivity`, `curves`, `iterations`, ...
@@ -18,6 +19,7 @@ pub fn finding_tables(findings: &Findings) -> Vec<(String, TextTable)> {
             ("starts", starts(found)),
         ],
         Findings::Tolerance(found) => vec![("tolerances", tolerances(found)), ("histogram", histogram(found))],
+        Findings::Modes(found) => vec![("modes", modes(found))],
         Findings::Sizing(found) => vec![("candidates", candidates(found))],
         Findings::Designs(_) => Vec::new(),
     };
@@ -189,6 +191,55 @@ fn histogram(found: &Tolerance) -> TextTable {
     let unit = &found.unit;
     let rows = bins.map(|bin| vec![number(bin.from, unit), number(bin.to, unit), Field::Number(bin.count as f64)]);
     table([heading("from", unit), heading("to", unit), "samples".to_owned()], rows.collect())
+}
+
+/// A row a mode; of each coordinate the size of its amplitude and its phase.
+fn modes(found: &Modes) -> TextTable {
+    let mut heads = heads(["mode", "frequency [Hz]", "damping", "re [1/s]", "im [1/s]", "what"]).to_vec();
+    for of in found.modes.first().into_iter().flat_map(|mode| &mode.shape) {
+        heads.push(heading(&of.coordinate, &of.unit));
+        heads.push(format!("{} phase [deg]", of.coordinate));
+    }
+    let row = |(index, mode): (usize, &crate::ModeRow)| {
+        let [re, im] = mode.eigenvalue;
+        let numbers = [(index + 1) as f64, mode.frequency, mode.damping, re, im].map(Field::Number);
+        let mut row = numbers.to_vec();
+        row.push(text(&found.kind(mode).words().to_lowercase()));
+        row.extend(mode.shape.iter().flat_map(|of| [of.size(), of.phase().to_degrees()].map(Field::Number)));
+        row
+    };
+    TextTable { heads, rows: found.modes.iter().enumerate().map(row).collect() }
+}
+
+/// What happened, a row an event; nothing without.
+pub fn event_table(events: &Events) -> Option<TextTable> {
+    if events.list.is_empty() {
+        return None;
+    }
+    let mut names: Vec<&'static str> = Vec::new();
+    for (name, ..) in events.list.iter().flat_map(|event| &event.numbers) {
+        if !names.contains(name) {
+            names.push(name);
+        }
+    }
+    let mut heads = vec![heading("time", &events.unit)];
+    heads.extend(["event", "name", "joint", "side"].map(str::to_owned));
+    heads.extend(names.iter().flat_map(|name| [(*name).to_owned(), format!("{name} unit")]));
+    let rows = events.list.iter().map(|event| event_row(event, &names, &events.unit)).collect();
+    Some(TextTable { heads, rows })
+}
+
+fn event_row(event: &Event, names: &[&'static str], unit: &Unit) -> Vec<Field> {
+    let mut row = vec![number(event.time, unit)];
+    row.extend([event.kind.word(), &event.name, &event.joint, event.side].map(text));
+    for name in names {
+        let found = event.numbers.iter().find(|(other, ..)| other == name);
+        row.extend(match found {
+            Some((_, si, unit)) => [number(*si, unit), text(&unit.symbol)],
+            None => [Field::Number(f64::NAN), text("")],
+        });
+    }
+    row
 }
 
 /// One row a check, so that a spreadsheet can filter by either.

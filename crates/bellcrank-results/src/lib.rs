@@ -6,6 +6,7 @@
 mod cells;
 mod csv;
 mod drawing;
+mod events;
 mod finding_tables;
 mod findings;
 mod folders;
@@ -22,7 +23,8 @@ mod unit;
 pub use cells::{Field, TextTable, write_text_csv};
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
-pub use finding_tables::finding_tables;
+pub use events::{Ended, Event, EventKind, Events};
+pub use finding_tables::{event_table, finding_tables};
 pub use findings::*;
 pub use folders::{file_stems, study_folders};
 pub use gltf::{upright, write_glb};

@@ -41,7 +41,9 @@ pub struct StudyResult {
     pub animation: Option<Animation>,
     /// Single numbers beside the rows: name, SI value, unit (e.g. eigenvalues of an equilibrium).
     pub scalars: Vec<(String, f64, crate::Unit)>,
-    /// What a study over another study found.
+    /// What happened, of studies in which something can.
+    pub events: Option<crate::Events>,
+    /// What it found beside its rows: of studies over another study, and modes.
     pub findings: Option<crate::Findings>,
     /// Sentences for the reader.
     pub warnings: Vec<String>,

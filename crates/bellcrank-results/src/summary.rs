@@ -1,5 +1,6 @@
 //! The JSON summary of a study and of a run: the contract of `summary.json` and `--json`.
 
+mod events;
 mod findings;
 mod values;
 
@@ -24,6 +25,9 @@ pub fn study_summary(study: &StudyResult) -> Value {
         object.extend(series(study));
     } else if !study.scalars.is_empty() {
         object.insert("scalars".to_owned(), scalars(&study.scalars));
+    }
+    if let Some(events) = &study.events {
+        object.extend(events::keys(events));
     }
     if let Some(failure) = &study.failure {
         object.insert("failure".to_owned(), failed(failure));

@@ -3,6 +3,7 @@
 use bellcrank_multibody::{BodyId, Coordinate, Force as ForceNumbers, Place, Value};
 
 use super::Numbers;
+use super::forward::within;
 use crate::design::{Force, ForceShape, Load, PointRef};
 use crate::geometry::{Extent, Geometry};
 use crate::scalar::Scalar;
@@ -60,6 +61,39 @@ impl<T: Scalar> Loads<'_, '_, T> {
                 Value::Constant(self.numbers.positive(quantity, format_args!("`{key}` of force `{}`", self.name)))
             }
             _ => self.value(load, key),
+        }
+    }
+
+    /// A value that is above zero, where given.
+    fn above_zero(&mut self, load: Option<&Load>, key: &str) -> Option<Value<T>> {
+        if let Some(Load::Fixed(quantity)) = load {
+            let what = format_args!("`{key}` of force `{}`", self.name);
+            let number = self.numbers.number(quantity, what);
+            if number.value() <= 0.0 {
+                self.numbers.report("out-of-range", quantity.span(), format!("{what} must be above zero"));
+            }
+            return Some(Value::Constant(number));
+        }
+        self.optional(load, key)
+    }
+
+    /// A share, 0 to 1, where given.
+    fn share(&mut self, load: Option<&Load>, key: &str) -> Option<Value<T>> {
+        if let Some(Load::Fixed(quantity)) = load {
+            let what = format_args!("`{key}` of force `{}`", self.name);
+            return Some(Value::Constant(within(self.numbers, quantity, &(0.0..=1.0), what)));
+        }
+        self.optional(load, key)
+    }
+
+    /// Limits that leave no place between them are reported.
+    fn in_order(&mut self, limits: [Option<Value<T>>; 2], upper: Option<&Load>) {
+        let ([Some(Value::Constant(min)), Some(Value::Constant(max))], Some(Load::Fixed(at))) = (limits, upper) else {
+            return;
+        };
+        if min.value() >= max.value() {
+            let message = format!("`max` of force `{}` is not above its `min`", self.name);
+            self.numbers.report("out-of-range", at.span(), message);
         }
     }
 
@@ -124,16 +158,21 @@ fn along_coordinate<T: Scalar>(loads: &mut Loads<'_, '_, T>, shape: &ForceShape)
             stribeck_velocity: loads.optional(stribeck_velocity.as_ref(), "stribeck_velocity"),
             viscous: loads.positive(viscous, "viscous"),
             radius: loads.optional(radius.as_ref(), "radius"),
-            smoothing_velocity: loads.optional(smoothing_velocity.as_ref(), "smoothing_velocity"),
+            smoothing_velocity: loads.above_zero(smoothing_velocity.as_ref(), "smoothing_velocity"),
         },
-        ForceShape::Stop { coordinate, min, max, stiffness, damping, restitution } => ForceNumbers::Stop {
-            coordinate: *coordinate,
-            min: loads.optional(min.as_ref(), "min"),
-            max: loads.optional(max.as_ref(), "max"),
-            stiffness: loads.positive(stiffness, "stiffness"),
-            damping: loads.positive(damping, "damping"),
-            restitution: loads.optional(restitution.as_ref(), "restitution"),
-        },
+        ForceShape::Stop { coordinate, min, max, stiffness, damping, restitution } => {
+            let limits = [loads.optional(min.as_ref(), "min"), loads.optional(max.as_ref(), "max")];
+            loads.in_order(limits, max.as_ref());
+            let [min, max] = limits;
+            ForceNumbers::Stop {
+                coordinate: *coordinate,
+                min,
+                max,
+                stiffness: loads.positive(stiffness, "stiffness"),
+                damping: loads.positive(damping, "damping"),
+                restitution: loads.share(restitution.as_ref(), "restitution"),
+            }
+        }
         ForceShape::Effort { coordinate, value } => {
             ForceNumbers::Effort { coordinate: *coordinate, value: loads.value(value, "value") }
         }

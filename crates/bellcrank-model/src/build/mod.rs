@@ -3,6 +3,7 @@
 mod bodies;
 mod faults;
 mod forces;
+mod forward;
 mod frames;
 mod joints;
 mod plausible;
@@ -19,6 +20,7 @@ use crate::geometry::Geometry;
 use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
+pub(crate) use forward::idle_velocities;
 pub(crate) use plausible::{implausible, implausible_study};
 pub(crate) use programme::programme_faults;
 

@@ -4,8 +4,8 @@ use std::fmt::Arguments;
 
 use bellcrank_doc::Diagnostic;
 
-use super::Numbers;
 use super::programme::{left_out, programme_faults};
+use super::{Numbers, forward};
 use crate::design::{Design, Goal, Law, Origin, Over, Prescribed, Quantity, Segment, SegmentKind, Study, Sweep, Task};
 
 /// Rows that a study over time may have.
@@ -28,6 +28,11 @@ impl Study {
                 }
                 check_motions(&mut numbers, motions);
             }
+            Task::Dynamics(of) => forward::check(&mut numbers, of),
+            Task::Modes(of) => {
+                held(&mut numbers, &of.holds);
+                check_motions(&mut numbers, &of.motions);
+            }
             Task::Ask(_) | Task::Later => {}
         }
         let acting = self.task.motions();
@@ -46,7 +51,7 @@ fn in_study(fault: Diagnostic, study: &Study) -> Diagnostic {
     fault.also(study.span, "in this study")
 }
 
-fn held(numbers: &mut Numbers<'_>, holds: &[crate::design::Hold]) {
+pub(super) fn held(numbers: &mut Numbers<'_>, holds: &[crate::design::Hold]) {
     for at in holds.iter().filter_map(|hold| hold.at.as_ref()) {
         numbers.number(at, format_args!("the position of `hold`"));
     }
@@ -71,23 +76,24 @@ fn check_over(numbers: &mut Numbers<'_>, over: &Over) {
                 above_zero(numbers, step, format_args!("`step`")),
             );
             if let (Some(lasts), Some(each)) = (lasts, each) {
-                check_rows(numbers, step, lasts, each);
+                check_rows(numbers, (step, "step"), lasts, each);
             }
             check_motions(numbers, motions);
         }
     }
 }
 
-fn check_rows(numbers: &mut Numbers<'_>, step: &Quantity, lasts: f64, each: f64) {
+/// Rows from the step between them, which has a name.
+pub(super) fn check_rows(numbers: &mut Numbers<'_>, (step, key): (&Quantity, &str), lasts: f64, each: f64) {
     if each > lasts {
-        numbers.report("out-of-range", step.span(), "`step` is longer than `duration`");
+        numbers.report("out-of-range", step.span(), format!("`{key}` is longer than `duration`"));
     } else if lasts / each > MOST_ROWS {
         let message = format!("{:.0} steps are more than the {MOST_ROWS} that a study may have", lasts / each);
         numbers.report("out-of-range", step.span(), message);
     }
 }
 
-fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: Arguments<'_>) -> Option<f64> {
+pub(super) fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: Arguments<'_>) -> Option<f64> {
     let before = numbers.faults.len();
     let value = numbers.number(quantity, what);
     if numbers.faults.len() == before && value <= 0.0 {
@@ -96,7 +102,7 @@ fn above_zero(numbers: &mut Numbers<'_>, quantity: &Quantity, what: Arguments<'_
     (value > 0.0).then_some(value)
 }
 
-fn check_motions(numbers: &mut Numbers<'_>, motions: &[usize]) {
+pub(super) fn check_motions(numbers: &mut Numbers<'_>, motions: &[usize]) {
     let design = numbers.design;
     for motion in motions.iter().filter_map(|&index| design.motions.get(index)) {
         check_motion(numbers, motion);

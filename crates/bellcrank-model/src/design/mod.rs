@@ -1,6 +1,7 @@
 //! The checked model: names resolved, dimensions known, values still expressions over the parameters.
 
 mod ask;
+mod dynamics;
 mod force;
 mod joint;
 mod motion;
@@ -17,12 +18,13 @@ pub(crate) use ask::{
     Ask, Designs, Levels, Method, NamedResponse, Optimize, Question, Scattered, Sensitivity, Term, Tolerance, Variable,
     Varied,
 };
+pub(crate) use dynamics::{Dynamics, Modes, ROWS, Stepping, StopWhen};
 pub(crate) use force::{Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
 pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
-pub(crate) use study::{Hold, Over, Study, Sweep, Task};
+pub(crate) use study::{Hold, Missing, Over, Study, Sweep, Task};
 
 /// A whole machine with all its subsystems.
 #[derive(Debug)]

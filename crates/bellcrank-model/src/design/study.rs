@@ -3,7 +3,7 @@
 use bellcrank_doc::{ParameterSet, Span};
 use bellcrank_multibody::Coordinate;
 
-use super::{Ask, Quantity, Values};
+use super::{Ask, Dynamics, Modes, Quantity, Values};
 use crate::schema::AVAILABLE;
 
 /// A study.
@@ -30,10 +30,23 @@ pub(crate) enum Task {
     Motion { forces: bool, over: Over, holds: Vec<Hold> },
     /// Equilibrium, at each position of a held coordinate when swept.
     Statics { sweep: Option<Sweep>, holds: Vec<Hold>, motions: Vec<usize> },
+    /// Motion from forces.
+    Dynamics(Box<Dynamics>),
+    /// How the machine rings about a position.
+    Modes(Modes),
     /// Something asked of another study.
     Ask(Box<Ask>),
     /// Checked, not run in this version: a study of a later kind, or one that asks such a study.
     Later,
+}
+
+/// What this version lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Missing {
+    /// Studies of its kind.
+    Kind,
+    /// Its question to the study that it asks, which is one of dynamics.
+    Question,
 }
 
 /// A swept coordinate.
@@ -57,6 +70,8 @@ pub(crate) enum Over {
 pub(crate) struct Hold {
     pub(crate) coordinate: Coordinate,
     pub(crate) at: Option<Quantity>,
+    /// Where the study names it.
+    pub(crate) span: Span,
 }
 
 impl Study {
@@ -70,12 +85,13 @@ impl Study {
         }
     }
 
-    /// The kind that this version would have to run for this study, but does not: its own, or that of the study it
-    /// asks.
-    pub(crate) fn missing_kind(&self) -> Option<&'static str> {
-        let asks = AVAILABLE.contains(&self.kind);
-        // Of the kinds that can be asked, one is missing.
-        matches!(self.task, Task::Later).then_some(if asks { "dynamics" } else { self.kind })
+    /// Why this version does not run it.
+    pub(crate) fn missing(&self) -> Option<Missing> {
+        match self.task {
+            Task::Later if AVAILABLE.contains(&self.kind) => Some(Missing::Question),
+            Task::Later => Some(Missing::Kind),
+            _ => None,
+        }
     }
 }
 
@@ -89,9 +105,19 @@ impl Sweep {
 impl Task {
     /// The motions that act, by their places in the design.
     pub(crate) fn motions(&self) -> &[usize] {
+        self.prescribed().0
+    }
+
+    /// The motions that act in it, and the coordinates that rest.
+    pub(crate) fn prescribed(&self) -> (&[usize], &[Hold]) {
         match self {
-            Task::Motion { over: Over::Time { motions, .. }, .. } | Task::Statics { motions, .. } => motions,
-            _ => &[],
+            Task::Motion { over: Over::Time { motions, .. }, holds, .. } | Task::Statics { motions, holds, .. } => {
+                (motions, holds)
+            }
+            Task::Motion { over: Over::Positions { .. }, holds, .. } => (&[], holds),
+            Task::Dynamics(of) => (&of.motions, &of.holds),
+            Task::Modes(of) => (&of.motions, &of.holds),
+            Task::Ask(_) | Task::Later => (&[], &[]),
         }
     }
 
@@ -108,6 +134,8 @@ impl Task {
                 }
                 holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit);
             }
+            Task::Dynamics(of) => of.each_quantity(visit),
+            Task::Modes(of) => of.holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit),
             // Its expressions are over the main file's parameters; `Study::named` has them.
             Task::Ask(_) | Task::Later => {}
         }

@@ -8,6 +8,7 @@ mod bodies;
 mod context;
 mod files;
 mod forces;
+mod forward_keys;
 mod joints;
 mod machine;
 mod motions;
@@ -15,6 +16,7 @@ mod points;
 mod starts;
 mod studies;
 mod study_keys;
+mod tasks;
 mod units;
 
 pub(crate) use context::PartReader;

@@ -5,18 +5,18 @@ use std::path::Path;
 use std::sync::Arc;
 
 use bellcrank_doc::{Diagnostic, Entry, Fields, Override, ParameterSet, Span, Spanned};
-use bellcrank_multibody::Coordinate;
 
 use super::asks::{self, Asked, Asking, design_table};
 use super::bodies::entries;
 use super::motions::ReadMotions;
 use super::study_keys::{Referred, StudyKeys, overlaid};
+use super::tasks::Tasks;
 use super::{Machine, PartReader, Tables};
 use crate::catalogue::stock;
-use crate::design::{Over, Scope, Study, Task, Values};
+use crate::design::{Scope, Study, Task, Values};
 use crate::keyed::Keyed;
 use crate::names;
-use crate::schema::{ASKING, AVAILABLE, STUDY, WITH_ROWS};
+use crate::schema::{ASKING, STUDY, WITH_ROWS};
 use crate::signals::{Catalogue, Signal};
 
 /// Studies that lie on each other by `like`; more is a slip.
@@ -87,7 +87,7 @@ impl<'a> Reading<'a> {
         };
         let keyed = self.open(fields, beneath.as_ref().map(|(kind, _)| *kind))?;
         let kind = keyed.kind()?;
-        let beneath = beneath.map(|(_, keys)| keys).unwrap_or_default();
+        let beneath = beneath.map(|(from, keys)| keys.for_kind(from, kind)).unwrap_or_default();
         let keys = StudyKeys::read(&keyed, self.of, &beneath);
         keyed.finish();
         Some(State::Read(kind, Box::new(keys.over(beneath))))
@@ -167,7 +167,7 @@ impl Finishing<'_> {
         let (kind, keys) = self.read(index).filter(|(kind, _)| !ASKING.contains(kind))?;
         let entry = self.entries[index];
         let (parameters, changed) = parameters(self.of, &keys.set)?;
-        let task = task(entry, kind, keys.clone(), self.of)?;
+        let task = Tasks { entry, kind, of: self.of, signals: &self.signals }.task(keys.clone())?;
         Some(self.study(entry, kind, task, parameters, changed))
     }
 
@@ -185,7 +185,9 @@ impl Finishing<'_> {
         let signals = &self.signals;
         let asking = Asking { entry, kind, part: self.of.part, asked: &asked, parameters: &parameters, signals };
         let ask = asks::ask(&asking, keys.ask.clone())?;
-        let task = if AVAILABLE.contains(&asked_kind) { Task::Ask(Box::new(ask)) } else { Task::Later };
+        // Of dynamics only what runs it once.
+        let answered = asked_kind != "dynamics" || kind == "sizing";
+        let task = if answered { Task::Ask(Box::new(ask)) } else { Task::Later };
         Some(self.study(entry, kind, task, parameters, changed))
     }
 
@@ -240,58 +242,6 @@ fn parameters(of: Referred<'_>, set: &[Override]) -> Option<(ParameterSet, Vec<u
         }
         Err(faults) => {
             faults.into_iter().for_each(|fault| of.part.reader.report(fault));
-            None
-        }
-    }
-}
-
-fn task(entry: &Entry, kind: &'static str, keys: StudyKeys, of: Referred<'_>) -> Option<Task> {
-    if !AVAILABLE.contains(&kind) {
-        return Some(Task::Later);
-    }
-    let holds = keys.holds.clone().unwrap_or_default();
-    if kind == "statics" {
-        let sweep = keys.sweep.map(|(sweep, _)| sweep);
-        return Some(Task::Statics { sweep, holds, motions: keys.motions.unwrap_or_default() });
-    }
-    let forces = kind == "inverse-dynamics";
-    Some(Task::Motion { forces, over: over(entry, keys, of)?, holds })
-}
-
-/// Positions or time; what is missing or too much is reported.
-fn over(entry: &Entry, keys: StudyKeys, of: Referred<'_>) -> Option<Over> {
-    let table = entry.value.as_table()?;
-    let own = |key: &str| table.get(key).is_some();
-    let report = |code, message: String| of.part.reader.report(Diagnostic::error(code, entry.key_span, message));
-    let name = &entry.key;
-    match (keys.sweep, keys.duration, keys.step) {
-        (Some(_), Some(_), _) | (Some(_), _, Some(_)) => {
-            report("conflicting-keys", format!("study `{name}` goes over positions (`sweep`) and over time; give one"));
-            None
-        }
-        (Some((sweep, _)), None, None) => {
-            let swept = sweep.coordinate;
-            let drive = keys.drive;
-            let coordinate: Coordinate = drive.as_ref().and_then(|drive| drive.coordinate).unwrap_or(swept);
-            let (velocity, acceleration) = drive.map_or((None, None), |drive| (drive.velocity, drive.acceleration));
-            Some(Over::Positions { sweep, drive: coordinate, velocity, acceleration })
-        }
-        (None, Some(duration), Some(step)) => {
-            let motions = keys.motions.unwrap_or_else(|| (0..of.motions.list.len()).collect());
-            Some(Over::Time { duration, step, motions, drives: keys.drives })
-        }
-        (None, duration, step) => {
-            let wrong = own("sweep") || duration.is_none() && own("duration") || step.is_none() && own("step");
-            match (duration, step) {
-                // The key is there, and what is wrong with it has been told.
-                _ if wrong => {}
-                (Some(_), _) => report("missing-key", format!("`step` is missing in study `{name}`")),
-                (_, Some(_)) => report("missing-key", format!("`duration` is missing in study `{name}`")),
-                _ => report(
-                    "missing-key",
-                    format!("study `{name}` needs `sweep` (over positions), or `duration` and `step` (over time)"),
-                ),
-            }
             None
         }
     }

@@ -4,11 +4,12 @@ use std::cell::RefCell;
 use std::path::Path;
 
 use bellcrank_doc::{
-    Constraint, Diagnostic, Dimension, Override, ParameterSet, Response, Span, Spanned, Value, nearest,
+    Condition, Constraint, Diagnostic, Dimension, Override, ParameterSet, Response, Span, Spanned, Value, nearest,
 };
 use bellcrank_multibody::Coordinate;
 
 use super::asks::{AskKeys, CatalogueFiles, DesignTable};
+use super::forward_keys::ForwardKeys;
 use super::motions::ReadMotions;
 use super::{Machine, PartReader};
 use crate::design::{Hold, Quantity, Sweep};
@@ -28,6 +29,8 @@ pub(crate) struct StudyKeys {
     pub(crate) motions: Option<Vec<usize>>,
     pub(crate) drives: Option<Vec<Coordinate>>,
     pub(crate) set: Vec<Override>,
+    /// Of studies of dynamics and modes alone.
+    pub(crate) forward: ForwardKeys,
     /// What it asks of another study.
     pub(crate) ask: AskKeys,
 }
@@ -76,6 +79,11 @@ impl Referred<'_> {
         self.with_signals(|signals| self.part.reader.constraint(value, what, signals))
     }
 
+    /// A comparison at one instant.
+    pub(crate) fn condition(&self, value: &Value, what: &str) -> Option<Condition> {
+        self.with_signals(|signals| self.part.reader.condition(value, what, signals))
+    }
+
     fn with_signals<T>(&self, read: impl FnOnce(&mut AllSignals<'_>) -> T) -> T {
         let mut signals = AllSignals { catalogue: self.catalogue, used: self.signals.take() };
         let read = read(&mut signals);
@@ -99,6 +107,7 @@ impl StudyKeys {
             motions: read_motions(keyed, of),
             drives: read_drives(keyed, of),
             set: read_set(keyed),
+            forward: ForwardKeys::read(keyed, of, &beneath.forward),
             ask: AskKeys::read(keyed, of, &beneath.ask),
         }
     }
@@ -108,17 +117,32 @@ impl StudyKeys {
     pub(crate) fn over(self, beneath: StudyKeys) -> StudyKeys {
         let hide_positions = self.duration.is_some() || self.step.is_some();
         let hide_time = self.sweep.is_some();
+        let fixed_step = self.step.is_some();
+        // A largest step given here says that the step is not fixed.
+        let own_largest = self.forward.largest_step.is_some();
         StudyKeys {
             sweep: self.sweep.or(beneath.sweep.filter(|_| !hide_positions)),
             drive: self.drive.or(beneath.drive.filter(|_| !hide_positions)),
             holds: self.holds.or(beneath.holds),
             duration: self.duration.or(beneath.duration.filter(|_| !hide_time)),
-            step: self.step.or(beneath.step.filter(|_| !hide_time)),
+            step: self.step.or(beneath.step.filter(|_| !hide_time && !own_largest)),
             motions: self.motions.or(beneath.motions.filter(|_| !hide_time)),
             drives: self.drives.or(beneath.drives.filter(|_| !hide_time)),
             set: overlaid(beneath.set, self.set),
+            forward: self.forward.over(beneath.forward, fixed_step),
             ask: self.ask.over(beneath.ask),
         }
+    }
+
+    /// The keys of a study of kind `from` for one of kind `to` that is like it: from row to row is `step` over time
+    /// and `output_step` in dynamics, where a `step` is one of the integration.
+    pub(crate) fn for_kind(mut self, from: &str, to: &str) -> StudyKeys {
+        match (from == "dynamics", to == "dynamics") {
+            (false, true) => self.forward.output_step = self.step.take(),
+            (true, false) => self.step = self.forward.output_step.take(),
+            _ => {}
+        }
+        self
     }
 }
 
@@ -158,20 +182,23 @@ fn read_holds(value: &Value, keyed: &Keyed<'_>, of: Referred<'_>) -> Option<Vec<
     let what = keyed.named("hold");
     let Some(table) = value.as_table() else {
         let names = of.part.reader.strings(value, &what)?;
-        let coordinates = names.into_iter().filter_map(|name| of.part.coordinates(of.machine, name)).flatten();
-        return Some(coordinates.map(|(coordinate, _)| Hold { coordinate, at: None }).collect());
+        let held = |name: Spanned<&str>| {
+            let coordinates = of.part.coordinates(of.machine, name).into_iter().flatten();
+            coordinates.map(move |(coordinate, _)| Hold { coordinate, at: None, span: name.span })
+        };
+        return Some(names.into_iter().flat_map(held).collect());
     };
     let mut holds = Vec::new();
     for entry in table.iter() {
         let name = Spanned { value: entry.key.as_str(), span: entry.key_span };
         let Some(coordinates) = of.part.coordinates(of.machine, name) else { continue };
         let what = format!("`{}` in {what}", entry.key);
-        holds.extend(held_at(&entry.value, &what, &coordinates, of));
+        holds.extend(held_at(&entry.value, &what, &coordinates, entry.key_span, of));
     }
     Some(holds)
 }
 
-fn held_at(value: &Value, what: &str, coordinates: &[(Coordinate, Motion)], of: Referred<'_>) -> Vec<Hold> {
+fn held_at(value: &Value, what: &str, coordinates: &[(Coordinate, Motion)], span: Span, of: Referred<'_>) -> Vec<Hold> {
     let dimensions: Vec<Dimension> = coordinates.iter().map(|(_, motion)| Along::Position.dimension(*motion)).collect();
     let reader = of.part.reader;
     let places = match dimensions.as_slice() {
@@ -181,6 +208,7 @@ fn held_at(value: &Value, what: &str, coordinates: &[(Coordinate, Motion)], of: 
     let held = |(place, (coordinate, _)): (_, &(Coordinate, Motion))| Hold {
         coordinate: *coordinate,
         at: Some(of.part.quantity(place)),
+        span,
     };
     places.into_iter().flatten().zip(coordinates).map(held).collect()
 }
@@ -221,12 +249,5 @@ fn check_later(keyed: &Keyed<'_>, of: Referred<'_>) {
         && !of.studies.contains(&name.value)
     {
         keyed.report(of.unknown_study(name));
-    }
-    if let Some(value) = keyed.value("stop_when") {
-        let mut signals = AllSignals { catalogue: of.catalogue, used: Vec::new() };
-        of.part.reader.condition(value, &keyed.named("stop_when"), &mut signals);
-    }
-    for key in ["output_step", "tolerance"] {
-        keyed.quantity(key);
     }
 }

@@ -3,7 +3,7 @@
 use bellcrank_multibody::{Actuation, Assembled, Blueprint, Coordinate, Engine, MechanismError};
 
 use crate::build::Built;
-use crate::design::{Design, Hold, Over, Sweep, Values, moved};
+use crate::design::{Design, Dynamics, Hold, Over, ROWS, Sweep, Values, moved};
 use crate::motion::{Programme, Running, Schedule};
 use crate::scalar::Scalar;
 
@@ -69,6 +69,8 @@ pub(crate) enum Path<'d> {
     Motion(&'d Over),
     /// Rest, at each position of a held coordinate when swept.
     Rest(Option<&'d Sweep>),
+    /// Time, with some coordinates prescribed and the others free.
+    Free(&'d Dynamics),
 }
 
 /// A study, begun: what it prescribes, and places that only assembly knows.
@@ -100,7 +102,7 @@ impl<'d> Course<'d> {
     ) -> Result<Course<'d>, MechanismError> {
         let held = machine.held(holds);
         let assembled = match path {
-            Path::Motion(Over::Time { .. }) => assemble_in_time(machine, &held, acting)?,
+            Path::Motion(Over::Time { .. }) | Path::Free(_) => assemble_in_time(machine, &held, acting)?,
             _ => assemble_at_rest(machine, path.sweep(), &held, acting)?,
         };
         let rest = |hold: &Hold| {
@@ -147,6 +149,11 @@ impl<'d> Course<'d> {
             }
             Path::Motion(Over::Time { duration, step, .. }) => {
                 let (duration, step) = (duration.eval(values), step.eval(values));
+                Laws::Time { programme, duration, step, last: self.rows - 1, rests }
+            }
+            Path::Free(of) => {
+                let duration: T = of.duration.eval(values);
+                let step = output_step(of, values);
                 Laws::Time { programme, duration, step, last: self.rows - 1, rests }
             }
         }
@@ -209,6 +216,10 @@ fn actuation(path: Path<'_>, holds: &[Hold], moved: &[Coordinate]) -> Actuation 
             let effort = drives.as_ref().map_or_else(|| position.clone(), |drives| with_held(drives));
             Actuation { rate: position.clone(), position, effort }
         }
+        Path::Free(_) => {
+            let list = with_held(moved);
+            Actuation { position: list.clone(), rate: list.clone(), effort: list }
+        }
         Path::Rest(sweep) => {
             let first: Vec<Coordinate> =
                 sweep.map(|sweep| sweep.coordinate).into_iter().chain(moved.iter().copied()).collect();
@@ -223,15 +234,24 @@ impl<'d> Path<'d> {
         match self {
             Path::Motion(Over::Positions { sweep, .. }) => Some(sweep),
             Path::Rest(sweep) => sweep,
-            Path::Motion(Over::Time { .. }) => None,
+            Path::Motion(Over::Time { .. }) | Path::Free(_) => None,
         }
     }
 
     fn rows(self, values: &Values) -> usize {
         match self {
             Path::Motion(Over::Time { duration, step, .. }) => steps(duration.eval(values), step.eval(values)) + 1,
+            Path::Free(of) => steps(of.duration.eval(values), output_step(of, values)) + 1,
             _ => self.sweep().map_or(1, |sweep| sweep.points),
         }
+    }
+}
+
+/// From row to row of a study of dynamics.
+fn output_step<T: Scalar>(of: &Dynamics, values: &Values<T>) -> T {
+    match &of.output_step {
+        Some(step) => step.eval(values),
+        None => of.duration.eval::<T>(values) / T::from_f64(ROWS as f64),
     }
 }
 
@@ -314,7 +334,6 @@ impl<'d, T: Scalar> Laws<'d, T> {
     }
 
     /// Times, s, in order, at which what is prescribed is not smooth: see [`Programme::breaks`].
-    #[expect(dead_code, reason = "for integrators, which must not step over them")]
     pub(crate) fn breaks(&self) -> Vec<f64> {
         self.programme().map_or_else(Vec::new, Programme::breaks)
     }

@@ -2,13 +2,18 @@
 
 mod animation;
 mod course;
+mod dynamics;
+mod energy;
+mod events;
 mod explain;
 pub(crate) mod inputs;
+mod modes;
 mod motion;
 mod notes;
 mod recorder;
 mod session;
 mod statics;
+mod surroundings;
 
 use std::time::Instant;
 
@@ -46,6 +51,8 @@ fn execute<'d>(session: &mut Session<'d>, study: &'d Study, progress: &mut dyn P
     match &study.task {
         Task::Motion { over, holds, .. } => motion::run(session, over, holds, progress),
         Task::Statics { sweep, holds, motions } => statics::run(session, sweep.as_ref(), holds, motions, progress),
+        Task::Dynamics(of) => dynamics::run(session, of, progress),
+        Task::Modes(of) => modes::run(session, of, progress),
         // Those that ask are run elsewhere.
         Task::Ask(_) | Task::Later => Ok(()),
     }

@@ -29,9 +29,7 @@ pub(super) fn run<'d>(
         let last = course.rows.saturating_sub(1) as f64;
         let duration = session.laws(&course).axis(last);
         if let Some(programme) = session.laws(&course).programme() {
-            warn_of_late_motions(session, programme, duration);
-            warn_of_short_tables(session, programme, duration);
-            warn_of_moved_starts(session, programme);
+            warn_of_motions(session, programme, duration);
         }
     } else {
         warn_of_time(session);
@@ -82,6 +80,13 @@ fn warn_of_time(session: &mut Session<'_>) {
         let message = "forces that depend on `time` are taken at time 0: a sweep has no time";
         session.result.warnings.push(message.to_owned());
     }
+}
+
+/// What the motions do not do as the file may lead one to think.
+pub(super) fn warn_of_motions(session: &mut Session<'_>, programme: &Programme<'_>, duration: f64) {
+    warn_of_late_motions(session, programme, duration);
+    warn_of_short_tables(session, programme, duration);
+    warn_of_moved_starts(session, programme);
 }
 
 /// A motion that the study ends before.

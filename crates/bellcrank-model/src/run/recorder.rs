@@ -74,6 +74,11 @@ impl Recorder {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
+    /// What a column holds so far; nothing where there is no such column.
+    pub(super) fn values(&self, name: &str) -> &[f64] {
+        self.columns.iter().find(|column| column.name == name).map_or(&[], |column| &column.values)
+    }
+
     pub(super) fn reserve(&mut self, rows: usize) {
         self.columns.iter_mut().for_each(|column| column.values.reserve_exact(rows));
     }

@@ -1,5 +1,7 @@
 //! One study while it runs: the mechanism, what is prescribed, what has been recorded.
 
+mod forward;
+
 use bellcrank_doc::Diagnostic;
 use bellcrank_multibody::{Actuation, Coordinate, Engine, MechanismError, Moved};
 use bellcrank_results::{Failure, Reaction, StudyResult};
@@ -121,7 +123,11 @@ impl<'d> Session<'d> {
 
     /// Makes room for the rows of the study.
     pub(super) fn expect_rows(&mut self, rows: usize, has_time: bool) -> Result<(), End> {
-        let forces = !matches!(self.study.task, Task::Motion { forces: false, .. });
+        let forces = match &self.study.task {
+            Task::Motion { forces, .. } => *forces,
+            Task::Modes(of) => of.equilibrium,
+            _ => true,
+        };
         self.recorder = Recorder::new(self.design, &self.efforts, forces, has_time);
         if rows.saturating_mul(self.recorder.width()) > MOST_NUMBERS {
             let message = format!("{rows} rows of {} signals do not fit into memory", self.recorder.width());
@@ -195,6 +201,11 @@ impl<'d> Session<'d> {
         }
     }
 
+    /// What is recorded in a column so far.
+    pub(super) fn recorded(&self, name: &str) -> &[f64] {
+        self.recorder.values(name)
+    }
+
     /// Finds equilibrium with some coordinates held, and records it.
     pub(super) fn equilibrium(
         &mut self,
@@ -246,13 +257,15 @@ impl<'d> Session<'d> {
         result.animation = self.frames.animation();
         result.warnings.extend(notes);
         let count = |name: &str, value: usize| (name.to_owned(), value as f64);
-        result.effort = vec![
-            count("positions", self.effort.positions),
-            count("newton_iterations", self.effort.iterations),
-            count("steps", self.effort.steps),
-            count("force_solutions", self.effort.force_solutions),
-            count("assembly_restarts", self.effort.restarts),
-        ];
+        if result.effort.is_empty() {
+            result.effort = vec![
+                count("positions", self.effort.positions),
+                count("newton_iterations", self.effort.iterations),
+                count("steps", self.effort.steps),
+                count("force_solutions", self.effort.force_solutions),
+                count("assembly_restarts", self.effort.restarts),
+            ];
+        }
         result.failure = failure.map(|failure| *failure);
         result
     }

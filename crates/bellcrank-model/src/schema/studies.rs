@@ -3,17 +3,27 @@
 use bellcrank_doc::Dimension as D;
 
 use super::asks::{DESIGNS, OF, OPTIMIZE, SENSITIVITY, TOLERANCE};
-use super::keys::Shape::{Map, Name, Names, NamesOrMap, Response, Table, Value};
+use super::keys::Shape::{Boolean, Comparisons, Map, Name, Names, NamesOrMap, OneOf, Table, Value, Whole};
 use super::keys::{Key, Kind, Schema};
 use super::sizing::SIZING;
 use super::tables::{DRIVE, SWEEP};
 
 /// Kinds that this version runs.
-pub(crate) const AVAILABLE: &[&str] =
-    &["kinematics", "inverse-dynamics", "statics", "sensitivity", "optimize", "sweep", "tolerance", "sizing"];
+pub(crate) const AVAILABLE: &[&str] = &[
+    "kinematics",
+    "inverse-dynamics",
+    "statics",
+    "dynamics",
+    "modes",
+    "sensitivity",
+    "optimize",
+    "sweep",
+    "tolerance",
+    "sizing",
+];
 
 /// Kinds whose keys are not settled: an unknown key there is no error yet.
-pub(crate) const OPEN: &[&str] = &["workspace", "modes", "stress"];
+pub(crate) const OPEN: &[&str] = &["workspace", "stress"];
 
 const fn kind(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Kind {
     Kind { name, doc, keys }
@@ -31,6 +41,39 @@ const STEP: Key = Key::optional("step", Value(D::TIME), "over time: from row to 
 const MOTIONS: Key = Key::optional("motions", Names, "over time: motions that act; all unless given");
 const DRIVES: Key =
     Key::optional("drives", Names, "over time: joints that carry the efforts; those with motions unless given");
+/// Ways to step in time.
+const METHODS: &[&str] = &["auto", "explicit", "generalized-alpha"];
+
+const DYNAMICS: &[Key] = &[
+    DURATION,
+    Key::optional("output_step", Value(D::TIME), "from row to row; a 500th of the duration unless given"),
+    Key::optional("tolerance", Value(D::NONE), "local error of a step, 1e-12 to 0.1; 1e-6 unless given"),
+    MOTIONS,
+    HOLD,
+    Key::optional(
+        "stop_when",
+        Comparisons,
+        "ends the study: a comparison at one instant, as \"joint.slide.position > 200 mm\", or a list, of which any ends it",
+    ),
+    Key::optional(
+        "method",
+        OneOf(METHODS),
+        "auto (unless given): explicit until the machine turns out stiff, generalized-alpha from then on",
+    ),
+    Key::optional(
+        "spectral_radius",
+        Value(D::NONE),
+        "of generalized-alpha: 1 damps nothing, 0 all that the steps do not resolve; 0.8 unless given",
+    ),
+    Key::optional("step", Value(D::TIME), "a fixed step of the integration; chosen by the error unless given"),
+    Key::optional("largest_step", Value(D::TIME), "no step is longer"),
+];
+const MODES: &[Key] = &[
+    HOLD,
+    Key::optional("motions", Names, "motions whose joints are held where they begin; none unless given"),
+    Key::optional("count", Whole(1, 100_000), "so many modes, the slowest first; all unless given"),
+    Key::optional("equilibrium", Boolean, "find equilibrium first (unless given), or take the position as assembled"),
+];
 const OVER_POSITIONS_OR_TIME: &[Key] = &[SWEPT, DRIVEN, HOLD, DURATION, STEP, MOTIONS, DRIVES];
 
 pub(crate) static STUDY: Schema = Schema {
@@ -44,25 +87,14 @@ pub(crate) static STUDY: Schema = Schema {
         kind("kinematics", "positions, velocities and accelerations", OVER_POSITIONS_OR_TIME),
         kind("inverse-dynamics", "kinematics, drive forces and reactions", OVER_POSITIONS_OR_TIME),
         kind("statics", "equilibrium at rest", &[SWEPT, HOLD, MOTIONS]),
-        kind(
-            "dynamics",
-            "motion from forces",
-            &[
-                DURATION,
-                Key::optional("output_step", Value(D::TIME), "from row to row"),
-                Key::optional("tolerance", Value(D::NONE), "1e-6 unless given"),
-                MOTIONS,
-                HOLD,
-                Key::optional("stop_when", Response, "condition that ends the study"),
-            ],
-        ),
+        kind("dynamics", "motion from forces, in time", DYNAMICS),
+        kind("modes", "natural frequencies, damping and mode shapes about a position", MODES),
         kind("sensitivity", "derivatives of a response with respect to parameters", SENSITIVITY),
         kind("optimize", "the best parameters", OPTIMIZE),
         kind("sweep", "responses over many designs", DESIGNS),
         kind("tolerance", "scatter of a response", TOLERANCE),
         kind("sizing", "a standard cylinder or an electric drive for the force, stroke and speed of a drive", SIZING),
         kind("workspace", "where a point can go", &[OF]),
-        kind("modes", "natural frequencies", &[OF]),
         kind("stress", "stresses of flexible bodies", &[OF]),
     ],
 };

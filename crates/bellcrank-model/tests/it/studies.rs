@@ -160,20 +160,22 @@ fn dead_positions_leave_gaps_and_warnings() {
 
 #[test]
 fn later_kinds_are_left_out_of_a_whole_run_and_refused_by_name() {
-    let later = "[studies.fall]\nkind = \"dynamics\"\n\
+    let later = "[studies.fall]\nkind = \"dynamics\"\nduration = \"1 s\"\n[studies.reach]\nkind = \"workspace\"\nof = \"a\"\n\
                  [studies.a]\nkind = \"kinematics\"\nhold = [\"wrist\"]\n\
                  sweep = { joint = \"hinge\", from = 0, to = \"10 deg\", points = 3 }\n\
                  [parameters]\nl = \"1 m\"\n\
                  [studies.how]\nkind = \"sensitivity\"\nof = \"fall\"\nresponse = \"max(point.arm.P.y)\"\n";
     let model = pendulum("later", later);
     let whole = model.run_all(&[], &RunOptions::default(), &mut Silent).expect("a run");
-    assert_eq!(whole.studies.len(), 1);
-    assert_eq!(whole.warnings.iter().filter(|w| w.contains("left out") && w.contains("`dynamics`")).count(), 2);
+    assert_eq!(whole.studies.len(), 2);
+    let left_out = |what: &str| whole.warnings.iter().filter(|w| w.contains("left out") && w.contains(what)).count();
+    assert_eq!([left_out("`workspace`"), left_out("`sensitivity` of a study of kind `dynamics`")], [1, 1]);
     let refused = |name: &str| model.run(name, &mut Silent).expect_err("no run");
-    assert!(matches!(refused("fall"), RunError::NotAvailable { .. }));
-    // A study that asks one that is not run is not run either.
-    assert!(matches!(refused("how"), RunError::NotAvailable { kind, .. } if kind == "dynamics"));
-    assert!(matches!(refused("how").hints().as_slice(), [hint] if hint.contains("optimize")));
+    assert!(matches!(refused("reach"), RunError::NotAvailable { .. }));
+    assert!(matches!(refused("reach").hints().as_slice(), [hint] if hint.contains("optimize")));
+    // Not every question is answered for dynamics.
+    assert!(matches!(refused("how"), RunError::NotAsked { kind, .. } if kind == "sensitivity"));
+    assert!(matches!(refused("how").hints().as_slice(), [hint] if hint.contains("inverse-dynamics")));
     assert!(matches!(refused("fal"), RunError::UnknownStudy { nearest: Some(_), .. }));
 }
 

@@ -1,6 +1,7 @@
-//! What a study over another study found: one file a kind.
+//! What a study found beside its rows: one file a kind.
 
 mod designs;
+mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
@@ -20,6 +21,7 @@ pub(crate) fn findings(study: &StudyResult, index: usize, figures: &[FigureFile]
         Findings::Optimization(found) => optimization::section(found, figures),
         Findings::Designs(found) => designs::section(found, index, figures),
         Findings::Tolerance(found) => tolerance::section(found, figures),
+        Findings::Modes(found) => modes::section(found),
         Findings::Sizing(found) => sizing::section(found, figures),
     };
     format!("<h3>Result</h3>\n{}{body}", told(findings))

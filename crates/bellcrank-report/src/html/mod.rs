@@ -2,6 +2,7 @@
 
 mod data;
 mod escape;
+mod events;
 mod glance;
 mod kinds;
 mod model;

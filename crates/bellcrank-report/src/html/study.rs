@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, data, glance, kinds, model, reactions, sentence};
+use super::{Escaped, data, events, glance, kinds, model, reactions, sentence};
 use crate::findings::{self, Check};
 use crate::{FigureFile, number, told};
 
@@ -33,6 +33,7 @@ pub(crate) fn push_section(
     page.push_str(&glance::glance(study));
     page.push_str(&mounts(run, study, place.index));
     push_figures(page, figures);
+    page.push_str(&events::section(study));
     page.push_str(&reactions::table(study));
     page.push_str(&reactions::hodographs(figures, place.index));
     page.push_str(&trust(study));
@@ -84,6 +85,7 @@ fn what(kind: &str) -> String {
             .to_owned(),
         "statics" => "Equilibrium of weights, springs and applied forces".to_owned(),
         "dynamics" => "Motion in time under drives and forces".to_owned(),
+        "modes" => "Natural frequencies, damping and mode shapes of the machine linearized".to_owned(),
         "sensitivity" => "Exact derivatives of a response with respect to parameters".to_owned(),
         "optimize" => "Search for parameters that make a response best within bounds and constraints".to_owned(),
         "sweep" => "Responses over many designs".to_owned(),

@@ -1,8 +1,8 @@
-//! What studies over other studies found: sentences, and a table of a kind's own.
+//! What studies found beside their rows: sentences, and a table of a kind's own.
 
 use bellcrank_results::{
-    Candidate, Column, ConstraintRow, Designs, Findings, Optimization, ParameterSensitivity, Sensitivity, Sizing,
-    StudyResult, Tolerance, ToleranceInput, VariableRow,
+    Candidate, Column, ConstraintRow, Designs, Findings, Modes, Optimization, ParameterSensitivity, Sensitivity,
+    Sizing, StudyResult, Tolerance, ToleranceInput, VariableRow,
 };
 
 use super::grid::{Cell, Grid};
@@ -16,6 +16,8 @@ const BEST_DESIGNS: usize = 5;
 /// Candidates that pass, and those that come nearest.
 const PASSING: usize = 3;
 const FAILING: usize = 2;
+/// Coordinates of a mode.
+const MOVERS: usize = 3;
 /// The longest bar, characters.
 const BAR: f64 = 20.0;
 
@@ -33,6 +35,7 @@ pub(crate) fn tables(study: &StudyResult) -> Vec<Grid> {
         Some(Findings::Designs(found)) => vec![failures(found), best(found)],
         Some(Findings::Tolerance(found)) => vec![tolerances(found)],
         Some(Findings::Sizing(found)) => vec![candidates(found)],
+        Some(Findings::Modes(found)) => vec![modes(found)],
         None => Vec::new(),
     }
 }
@@ -186,6 +189,21 @@ fn tolerances(found: &Tolerance) -> Grid {
         ]);
     }
     more(&mut grid, found.inputs.len(), "tolerances");
+    grid
+}
+
+fn modes(found: &Modes) -> Grid {
+    let mut grid = Grid::new(["mode", "frequency", "damping", "", "moves most"]);
+    for (index, mode) in found.modes.iter().take(MOST_ROWS).enumerate() {
+        grid.push(vec![
+            Cell::left(&(index + 1).to_string()),
+            Cell::right(&number::with_unit(&number::alone(mode.frequency), "Hz")),
+            Cell::right(&told::modes::ratio(mode)),
+            Cell::left(found.kind(mode).words()),
+            Cell::left(&told::modes::movers(mode, MOVERS)),
+        ]);
+    }
+    more(&mut grid, found.modes.len(), "modes");
     grid
 }
 

@@ -1,12 +1,14 @@
 //! What studies over other studies find: plain data, one file a kind.
 
 mod designs;
+mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
 mod tolerance;
 
 pub use designs::{ColumnStatistics, DesignFailure, Designs, ParetoFront};
+pub use modes::{ModeKind, ModeRow, Modes, ShapeRow};
 pub use optimization::{
     Compared, ConstraintRow, FirstOrder, IterationRow, Objective, Optimization, StartRow, VariableRow,
 };
@@ -14,7 +16,7 @@ pub use sensitivity::{ActivePlace, Curve, ParameterSensitivity, Sensitivity};
 pub use sizing::{Candidate, Check, Property, Sizing};
 pub use tolerance::{HistogramBin, MonteCarlo, SobolIndices, Tolerance, ToleranceInput, Yield};
 
-/// What a study over another study found, beside its rows.
+/// What a study found beside its rows: one over another study, or one of modes.
 #[derive(Clone, Debug)]
 pub enum Findings {
     /// Derivatives of a response.
@@ -25,6 +27,8 @@ pub enum Findings {
     Designs(Designs),
     /// Scatter of a response.
     Tolerance(Tolerance),
+    /// Natural frequencies and mode shapes.
+    Modes(Modes),
     /// Standard drives that carry the loads.
     Sizing(Sizing),
 }

@@ -1,6 +1,7 @@
 //! What studies over other studies found: keys of their own, one file a kind.
 
 mod designs;
+mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
@@ -17,6 +18,7 @@ pub(super) fn keys(findings: &Findings) -> Map<String, Value> {
         Findings::Optimization(found) => optimization::keys(found),
         Findings::Designs(found) => designs::keys(found),
         Findings::Tolerance(found) => tolerance::keys(found),
+        Findings::Modes(found) => modes::keys(found),
         Findings::Sizing(found) => sizing::keys(found),
     }
 }

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bellcrank_doc::nearest;
-use bellcrank_model::{Model, RunError, RunOptions, StudyInfo};
+use bellcrank_model::{Model, RunError, RunOptions};
 use bellcrank_report::terminal_summary;
 use bellcrank_results::{RunResult, run_summary};
 
@@ -48,22 +47,7 @@ fn default_out(model: &Model) -> PathBuf {
 
 /// Before anything is made on disk.
 fn refuse_unknown(model: &Model, studies: &[String]) -> Result<(), Refusal> {
-    let known = model.studies();
-    studies.iter().try_for_each(|study| find(&known, study)).map_err(refusal)
-}
-
-fn find(known: &[StudyInfo], name: &str) -> Result<(), RunError> {
-    match known.iter().find(|study| study.name == name) {
-        Some(study) if study.available => Ok(()),
-        Some(study) => Err(RunError::NotAvailable { study: study.name.clone(), kind: study.kind.clone() }),
-        None => Err(unknown(known, name)),
-    }
-}
-
-fn unknown(known: &[StudyInfo], name: &str) -> RunError {
-    let names: Vec<String> = known.iter().map(|study| study.name.clone()).collect();
-    let nearest = nearest(name, names.iter().map(String::as_str)).map(str::to_owned);
-    RunError::UnknownStudy { name: name.to_owned(), nearest, known: names }
+    studies.iter().try_for_each(|study| model.runs(study)).map_err(refusal)
 }
 
 fn refusal(error: RunError) -> Refusal {

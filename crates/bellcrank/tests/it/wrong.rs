@@ -53,8 +53,12 @@ fn command_lines() {
     snapshot::check("wrong-study", &sandbox, &["run", "lift.toml", "lif"]);
     let later = Sandbox::with_lift("wrong-kind");
     let lift = later.read("lift.toml");
-    later.write("later.toml", format!("{lift}\n[studies.ringing]\nkind = \"modes\"\nof = \"lift\"\n"));
+    later.write("later.toml", format!("{lift}\n[studies.ringing]\nkind = \"workspace\"\nof = \"lift\"\n"));
     snapshot::check("wrong-study-kind", &later, &["run", "later.toml", "ringing"]);
+    let dynamics = "[studies.fall]\nkind = \"dynamics\"\nduration = \"1 s\"\n";
+    let asking = "[studies.how]\nkind = \"sensitivity\"\nof = \"fall\"\nresponse = \"last(joint.B.position)\"\n";
+    later.write("asking.toml", format!("{lift}\n{dynamics}{asking}"));
+    snapshot::check("wrong-asking-dynamics", &later, &["run", "asking.toml", "how"]);
     snapshot::check("wrong-set-syntax", &sandbox, &["run", "lift.toml", "--set", "l31"]);
     snapshot::check("wrong-export", &sandbox, &["run", "lift.toml", "--export", "gltf,step"]);
     snapshot::check("wrong-set-name", &sandbox, &["run", "lift.toml", "--set", "l33=700mm"]);

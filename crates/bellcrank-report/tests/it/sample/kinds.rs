@@ -376,7 +376,7 @@ pub fn poor() -> RunResult {
                 found.candidates.retain(|candidate| !candidate.passes);
                 found.chosen = None;
             }
-            None => {}
+            Some(Findings::Modes(_)) | None => {}
         }
     }
     run.studies.last_mut().unwrap().table = Table::default();

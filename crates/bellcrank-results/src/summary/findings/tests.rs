@@ -287,3 +287,22 @@ fn every_start_has_its_row() {
     assert_eq!(starts.heads, ["start", "from l31 [mm]", "to l31 [mm]", "objective [N]", "violation", "status"]);
     assert_eq!(starts.rows[1][0], Field::Number(1.0));
 }
+
+#[test]
+fn modes_have_frequencies_and_shapes() {
+    let mode = ModeRow {
+        eigenvalue: [-0.1, 3.0],
+        frequency: 0.5,
+        damping: 0.03,
+        shape: vec![ShapeRow { coordinate: "hinge".to_owned(), unit: Unit::new("rad", 1.0), amplitude: [0.6, -0.8] }],
+    };
+    let still = ModeRow { eigenvalue: [0.0, 1e-12], frequency: 0.0, damping: 0.0, shape: Vec::new() };
+    let found = Modes { freedom: 2, all: 3, at_equilibrium: false, modes: vec![still, mode] };
+    let summary = summary(Findings::Modes(found));
+    assert_eq!(summary["modes"][0]["what"], "moves freely");
+    let mode = &summary["modes"][1];
+    assert_eq!(mode["frequency"], json!({ "value": 0.5, "unit": "Hz" }));
+    assert_eq!(mode["eigenvalue"], json!({ "re": -0.1, "im": 3.0, "unit": "1/s" }));
+    assert_eq!(mode["shape"]["hinge"], json!({ "re": 0.6, "im": -0.8, "unit": "rad" }));
+    assert_eq!((&mode["what"], &summary["mode_count"]), (&json!("oscillates"), &json!(3)));
+}
