@@ -9,7 +9,7 @@ use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task, moved};
 pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Drawing {
     let places = &built.geometry.points;
     let driven = driven(design, studies);
-    let body = |(index, body): (usize, &Body)| drawn_body(design, built, index, body);
+    let body = |(index, body): (usize, &Body)| drawn_body(built, index, body);
     let joint = |(index, joint): (usize, &Joint)| {
         let is_driven = driven.iter().any(|c| c.joint.0 == index);
         drawn_joint(joint, &built.blueprint.joints[index], is_driven)
@@ -54,12 +54,12 @@ fn driven(design: &Design, studies: &[Study]) -> Vec<Coordinate> {
     studies.iter().find_map(of).unwrap_or_default()
 }
 
-fn drawn_body(design: &Design, built: &Built, index: usize, body: &Body) -> DrawnBody {
+fn drawn_body(built: &Built, index: usize, body: &Body) -> DrawnBody {
     let places = &built.geometry.points[index];
     let points: Vec<(String, [f64; 3])> =
         body.points.iter().zip(places).map(|(point, place)| (point.name.clone(), place.position)).collect();
     let positions: Vec<[f64; 3]> = points.iter().map(|(_, at)| *at).collect();
-    let lines = if index == 0 { Vec::new() } else { lines(&positions, design.planar) };
+    let lines = if index == 0 { Vec::new() } else { lines(&positions, body.planar) };
     let numbers = &built.blueprint.bodies[index];
     let center = (index > 0 && numbers.mass > 0.0).then_some(numbers.center);
     DrawnBody { name: body.name.clone(), points, lines, center }

@@ -161,12 +161,14 @@ pub enum Value<T> {
 }
 
 /// Axes that a vector is given in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axes {
+#[derive(Clone, Debug)]
+pub enum Axes<T> {
     /// World axes: the direction stays.
     World,
     /// The axes of the body it acts on: the direction turns along.
     Body,
+    /// The axes of a frame on another body, wherever it is.
+    Frame(Place<T>),
 }
 
 /// A force element.
@@ -179,7 +181,7 @@ pub enum Force<T> {
         /// Components, N.
         vector: [Value<T>; 3],
         /// Axes of the components.
-        axes: Axes,
+        axes: Axes<T>,
     },
     /// A free moment on a body, N·m (the plane uses z).
     Torque {
@@ -188,7 +190,7 @@ pub enum Force<T> {
         /// Components, N·m.
         vector: [Value<T>; 3],
         /// Axes of the components.
-        axes: Axes,
+        axes: Axes<T>,
     },
     /// An effort along a joint coordinate, positive when it pushes the coordinate up, N or N·m.
     Effort {

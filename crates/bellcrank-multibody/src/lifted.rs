@@ -1,6 +1,6 @@
 //! A blueprint over another scalar, for exact derivatives.
 
-use crate::{Blueprint, Body, Force, Joint, JointKind, Place, Value};
+use crate::{Axes, Blueprint, Body, Force, Joint, JointKind, Place, Value};
 use bellcrank_math::Real;
 
 impl<T: Real> Blueprint<T> {
@@ -62,14 +62,24 @@ fn map_value<T: Real, U: Real>(v: Value<T>, f: impl Fn(T) -> U) -> Value<U> {
     }
 }
 
+fn map_axes<T: Real, U: Real>(axes: &Axes<T>, f: impl Fn(T) -> U + Copy) -> Axes<U> {
+    match axes {
+        Axes::World => Axes::World,
+        Axes::Body => Axes::Body,
+        Axes::Frame(place) => Axes::Frame(map_place(place, f)),
+    }
+}
+
 fn map_force<T: Real, U: Real>(force: &Force<T>, f: impl Fn(T) -> U + Copy) -> Force<U> {
     use Force as F;
     let v = |x: &Value<T>| map_value(*x, f);
     match force {
         F::Point { at, vector, axes } => {
-            F::Point { at: map_place(at, f), vector: vector.each_ref().map(v), axes: *axes }
+            F::Point { at: map_place(at, f), vector: vector.each_ref().map(v), axes: map_axes(axes, f) }
         }
-        F::Torque { on, vector, axes } => F::Torque { on: *on, vector: vector.each_ref().map(v), axes: *axes },
+        F::Torque { on, vector, axes } => {
+            F::Torque { on: *on, vector: vector.each_ref().map(v), axes: map_axes(axes, f) }
+        }
         F::Effort { coordinate, value } => F::Effort { coordinate: *coordinate, value: v(value) },
         F::Spring { between, stiffness, damping, free_length, preload } => F::Spring {
             between: map_places(between, f),

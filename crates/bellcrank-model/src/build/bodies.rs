@@ -28,11 +28,14 @@ fn one<T: Scalar>(numbers: &mut Numbers<'_, T>, body: &Body) -> BodyNumbers<T> {
     BodyNumbers { mass, center, inertia }
 }
 
-/// From one value (the plane), three or six.
+/// From one value (the plane), three or six. In space a body of a planar file with one value counts as a round disc in
+/// its plane: half of it about each axis there.
 fn tensor<T: Scalar>(numbers: &mut Numbers<'_, T>, values: &[Quantity], what: Arguments<'_>) -> Matrix<T> {
     let o = T::zero();
     if let [zz] = values {
-        return [[o; 3], [o; 3], [o, o, numbers.positive(zz, what)]];
+        let zz = numbers.positive(zz, what);
+        let half = if numbers.design.planar { o } else { zz / T::from_f64(2.0) };
+        return [[half, o, o], [o, half, o], [o, o, zz]];
     }
     let (moments, products) = values.split_at(values.len().min(3));
     let mut diagonal = [o; 3];
@@ -62,8 +65,8 @@ fn frame<T: Scalar>(numbers: &mut Numbers<'_, T>, body: &Body, point: &Point, id
     let what = format_args!("point `{}` of body `{}`", point.name, body.name);
     let position = numbers.vector(&point.at, what);
     let rotation = rotation(numbers, &point.rotation, what);
-    let in_plane = numbers.design.planar && (rotation[2][2].value() - 1.0).abs() > 1e-12;
-    if in_plane {
+    let out_of_plane = point.planar && (rotation[2][2].value() - 1.0).abs() > 1e-12;
+    if out_of_plane {
         let message = format!("{what} is turned out of the plane");
         let report = Diagnostic::error("not-in-plane", point.span, message);
         numbers.faults.push(report.hint("in the plane points turn about z"));

@@ -1,10 +1,10 @@
 //! Force elements in numbers.
 
-use bellcrank_multibody::{BodyId, Coordinate, Force as ForceNumbers, Place, Value};
+use bellcrank_multibody::{Axes as AxesNumbers, BodyId, Coordinate, Force as ForceNumbers, Place, Value};
 
 use super::Numbers;
 use super::forward::within;
-use crate::design::{Force, ForceShape, Load, PointRef};
+use crate::design::{Axes, Force, ForceShape, Load, PointRef};
 use crate::geometry::{Extent, Geometry};
 use crate::scalar::Scalar;
 
@@ -110,11 +110,14 @@ fn element<T: Scalar>(numbers: &mut Numbers<'_, T>, force: &Force, points: &Poin
     let place = |at: &PointRef| points[at.body][at.point].clone();
     let mut loads = Loads { numbers, name: &force.name };
     match &force.shape {
-        ForceShape::Point { at, vector, axes } => {
-            ForceNumbers::Point { at: place(at), vector: loads.values(vector, "vector"), axes: *axes }
-        }
+        ForceShape::Point { at, vector, axes } => ForceNumbers::Point {
+            at: place(at),
+            vector: loads.values(vector, "vector"),
+            axes: directions(*axes, points),
+        },
         ForceShape::Torque { on, vector, axes } => {
-            ForceNumbers::Torque { on: BodyId(*on), vector: loads.values(vector, "vector"), axes: *axes }
+            let axes = directions(*axes, points);
+            ForceNumbers::Torque { on: BodyId(*on), vector: loads.values(vector, "vector"), axes }
         }
         ForceShape::Spring { between: [a, b], stiffness, damping, free_length, preload } => ForceNumbers::Spring {
             between: [place(a), place(b)],
@@ -129,6 +132,14 @@ fn element<T: Scalar>(numbers: &mut Numbers<'_, T>, force: &Force, points: &Poin
             damping: loads.values(damping, "damping"),
         },
         along => along_coordinate(&mut loads, along),
+    }
+}
+
+fn directions<T: Scalar>(axes: Axes, points: &Points<T>) -> AxesNumbers<T> {
+    match axes {
+        Axes::World => AxesNumbers::World,
+        Axes::Body => AxesNumbers::Body,
+        Axes::Point(at) => AxesNumbers::Frame(points[at.body][at.point].clone()),
     }
 }
 

@@ -76,7 +76,7 @@ fn kind<T: Scalar>(numbers: &mut Numbers<'_, T>, joint: &Joint) -> JointKind<T> 
 fn axis<T: Scalar>(numbers: &mut Numbers<'_, T>, joint: &Joint, direction: &Direction) -> [T; 3] {
     let axis = numbers.direction(direction, format_args!("the axis of joint `{}`", joint.name));
     let [x, y, z] = axis.map(T::value);
-    if !numbers.design.planar || [x, y, z] == [0.0; 3] {
+    if !joint.planar || [x, y, z] == [0.0; 3] {
         return axis;
     }
     let about_z = x == 0.0 && y == 0.0;

@@ -20,6 +20,7 @@ pub(super) fn notes(model: &Model, freedom: &Freedom) -> Vec<String> {
     }
     notes.extend(loose_ends(model));
     notes.extend(still_masses(model));
+    notes.extend(round_discs(model));
     let unused = unused_parameters(model);
     if !unused.is_empty() {
         notes.push(format!("parameters that nothing uses: {}", unused.join(", ")));
@@ -79,6 +80,23 @@ fn still_masses(model: &Model) -> Vec<String> {
         return Vec::new();
     }
     vec![format!("no `center` given, so the centre of mass is at the origin: {}", names.join(", "))]
+}
+
+/// Bodies of planar files in space whose moments about the axes of the plane are not given.
+fn round_discs(model: &Model) -> Option<String> {
+    let design = model.design();
+    let one_moment = |(body, numbers): &(&Body, &bellcrank_multibody::Body<f64>)| {
+        body.planar && body.inertia.as_ref().is_some_and(|values| values.len() == 1) && numbers.inertia[2][2] > 0.0
+    };
+    let bodies = design.bodies.iter().zip(&model.built().blueprint.bodies).filter(one_moment);
+    let names: Vec<&str> = bodies.map(|(body, _)| body.name.as_str()).collect();
+    (!design.planar && !names.is_empty()).then(|| {
+        format!(
+            "of planar files, with one moment of inertia: half of it counts about each axis of the plane, as of a round \
+             disc; `[Ixx, Iyy, Izz]` says otherwise: {}",
+            names.join(", ")
+        )
+    })
 }
 
 /// Parameters that no value, motion or other parameter uses.

@@ -1,7 +1,7 @@
 //! Force elements of a checked model.
 
 use bellcrank_doc::Expression;
-use bellcrank_multibody::{Axes, Coordinate};
+use bellcrank_multibody::Coordinate;
 
 use super::{PointRef, Quantity, ScopeId};
 
@@ -21,6 +21,16 @@ pub(crate) enum Load {
 pub(crate) struct Input {
     pub(crate) scope: ScopeId,
     pub(crate) expression: Expression,
+}
+
+/// Axes that a vector is given in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Axes {
+    World,
+    /// Of the body it acts on.
+    Body,
+    /// Of a point, wherever it is.
+    Point(PointRef),
 }
 
 /// A force element.

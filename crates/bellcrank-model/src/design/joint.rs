@@ -18,6 +18,8 @@ pub(crate) struct Joint {
     pub(crate) start: Vec<Option<Quantity>>,
     pub(crate) start_velocity: Vec<Option<Quantity>>,
     pub(crate) at_start: bool,
+    /// It is of a planar file.
+    pub(crate) planar: bool,
 }
 
 /// What a joint allows.

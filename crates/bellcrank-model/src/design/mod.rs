@@ -19,7 +19,7 @@ pub(crate) use ask::{
     Varied,
 };
 pub(crate) use dynamics::{Dynamics, Modes, ROWS, Stepping, StopWhen};
-pub(crate) use force::{Force, ForceShape, Input, Load};
+pub(crate) use force::{Axes, Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
@@ -59,6 +59,8 @@ pub(crate) struct Body {
     pub(crate) center: Option<Vec<Quantity>>,
     pub(crate) inertia: Option<Vec<Quantity>>,
     pub(crate) points: Vec<Point>,
+    /// It is of a planar file.
+    pub(crate) planar: bool,
 }
 
 /// A named frame of a body.
@@ -70,6 +72,8 @@ pub(crate) struct Point {
     pub(crate) rotation: Rotation,
     /// The point of the same body that `at` and `rotation` are given in: where a subsystem's ground sits.
     pub(crate) base: Option<usize>,
+    /// It is of a planar file.
+    pub(crate) planar: bool,
 }
 
 /// How the axes of a point lie in the body.

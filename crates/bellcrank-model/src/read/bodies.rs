@@ -39,7 +39,7 @@ pub(crate) fn entries<'a>(part: &PartReader<'a>, key: &str) -> Vec<&'a bellcrank
 }
 
 fn massless(name: String, span: Span) -> Body {
-    Body { name, span, mass: None, center: None, inertia: None, points: Vec::new() }
+    Body { name, span, mass: None, center: None, inertia: None, points: Vec::new(), planar: false }
 }
 
 fn add(machine: &mut Machine, body: Body) -> usize {
@@ -55,7 +55,7 @@ fn add(machine: &mut Machine, body: Body) -> usize {
 }
 
 fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span, value: &Value) {
-    let mut body = massless(part.full(key), span);
+    let mut body = Body { planar: part.planar, ..massless(part.full(key), span) };
     if let Some(fields) = part.reader.fields(value, &format!("body `{key}`")) {
         let keyed = Keyed::new(fields, &BODY, part.space());
         let owner = Owner { what: format!("body `{key}`"), prefix: String::new(), base: None };
@@ -76,14 +76,17 @@ fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span,
     }
 }
 
-/// One value in the plane; a list of three or six in space.
+/// One value in the plane; a list of three or six in space, and in the plane for a part of a spatial machine: alone it
+/// uses the third.
 fn inertia(part: PartReader<'_>, keyed: &Keyed<'_>) -> Option<Vec<Quantity>> {
     let value = keyed.value("inertia")?;
     let what = keyed.named("inertia");
     let dimension = bellcrank_doc::Dimension::INERTIA;
     let read = match (value.as_list(), part.planar) {
         (None, true) => part.reader.quantity(value, &what, dimension).map(|one| vec![one]),
-        (Some(list), true) if list.len() == 1 => part.reader.uniform_vector(value, &what, dimension, &[1]),
+        (Some(list), true) if matches!(list.len(), 1 | 3 | 6) => {
+            part.reader.uniform_vector(value, &what, dimension, &[1, 3, 6])
+        }
         (Some(list), true) => {
             let message = format!("{what} needs one value in the plane, found {}", list.len());
             let report = Diagnostic::error("wrong-length", value.span, message);
@@ -130,10 +133,9 @@ fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
 
 /// Adds the points of a part's ground to the ground, or to the body that carries the part.
 fn read_ground(part: PartReader<'_>, machine: &mut Machine) {
-    let (body, base) = match mount(part, machine) {
-        Some(point) => (point.body, Some(point.point)),
-        None => (0, None),
-    };
+    let mount = mount(part, machine);
+    machine.mounts.push(mount);
+    let (body, base) = mount.map_or((0, None), |point| (point.body, Some(point.point)));
     let prefix = if part.prefix().is_empty() { String::new() } else { part.full("ground.") };
     if !part.prefix().is_empty() {
         machine.mount(part.full("ground"), body, prefix.clone());
@@ -175,7 +177,9 @@ fn report_strays(part: PartReader<'_>, strays: &[&Entry]) {
 
 /// The point that carries the ground of a subsystem.
 fn mount(part: PartReader<'_>, machine: &Machine) -> Option<PointRef> {
-    let Mount::Point { written, prefix, span } = &part.part.mount else { return None };
+    let Mount::Point { written, prefix, span } = &part.part.mount else {
+        return part.part.parent.and_then(|parent| machine.mounts.get(parent).copied()).flatten();
+    };
     match machine.point(written, prefix, *span) {
         Ok(point) => Some(point),
         Err(diagnostic) => {

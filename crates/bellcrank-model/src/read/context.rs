@@ -16,9 +16,16 @@ pub(crate) struct PartReader<'a> {
     pub(crate) part: &'a Part,
     pub(crate) reader: &'a Reader<'a>,
     pub(crate) planar: bool,
+    /// The machine is in the plane.
+    pub(crate) machine_planar: bool,
 }
 
 impl<'a> PartReader<'a> {
+    /// A planar file that is part of a spatial machine.
+    pub(crate) fn is_embedded(&self) -> bool {
+        self.planar && !self.machine_planar
+    }
+
     /// Number of dimensions.
     pub(crate) fn space(&self) -> usize {
         if self.planar { 2 } else { 3 }

@@ -25,6 +25,8 @@ pub(crate) struct Part {
     pub(crate) scope: ScopeId,
     /// `lift.` for the subsystem `lift`; empty for the main file.
     pub(crate) prefix: String,
+    /// The part that includes this one.
+    pub(crate) parent: Option<usize>,
     pub(crate) mount: Mount,
     /// Where the file is: what it names is relative to it.
     pub(crate) folder: PathBuf,
@@ -33,8 +35,13 @@ pub(crate) struct Part {
 /// What carries the ground of a part.
 #[derive(Debug)]
 pub(crate) enum Mount {
-    World,
-    Point { written: String, prefix: String, span: Span },
+    /// The ground of the file that includes it; the world at last.
+    Ground,
+    Point {
+        written: String,
+        prefix: String,
+        span: Span,
+    },
 }
 
 /// All files of a model, each after the one that includes it.
@@ -53,7 +60,7 @@ pub(crate) fn read_files(
 ) -> Option<Files> {
     let mut expander =
         Expander { sources, diagnostics, overrides, parts: Vec::new(), scopes: Vec::new(), open: Vec::new() };
-    expander.file(source, path, String::new(), Mount::World, None)?;
+    expander.file(source, path, String::new(), Mount::Ground, None)?;
     expander.report_unused_overrides();
     let Expander { parts, scopes, .. } = expander;
     Some(Files { parts, scopes })
@@ -93,12 +100,20 @@ impl Expander<'_> {
         }
         let parameters = self.parameters(&table, &prefix);
         let scope = ScopeId(self.scopes.len());
+        let including = given.as_ref().map(|given| given.parent.0);
         let parent = given.map(|given| (given.parent, self.set(given, &parameters, &prefix)));
         self.scopes.push(Scope { prefix: prefix.clone(), parameters, parent });
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let subsystems = table.get("subsystems").cloned();
         self.open.push((identity(path), path.display().to_string()));
-        self.parts.push(Part { table, scope, prefix: prefix.clone(), mount, folder: folder.clone() });
+        self.parts.push(Part {
+            table,
+            scope,
+            prefix: prefix.clone(),
+            parent: including,
+            mount,
+            folder: folder.clone(),
+        });
         if let Some(entry) = subsystems {
             self.subsystems(&entry, scope, &prefix, &folder);
         }
@@ -189,7 +204,7 @@ impl Expander<'_> {
         }
         let mount = match ground {
             Some(written) => Mount::Point { written: written.value, prefix: prefix.to_owned(), span: written.span },
-            None => Mount::World,
+            None => Mount::Ground,
         };
         if let Some(source) = read_source(self.sources, &path, self.diagnostics) {
             self.file(source, &path, format!("{prefix}{}.", entry.key), mount, Some(Given { parent, set }));

@@ -1,11 +1,11 @@
 //! `[forces]`.
 
 use bellcrank_doc::{Diagnostic, Entry, Expression, Value};
-use bellcrank_multibody::{Axes, Coordinate};
+use bellcrank_multibody::Coordinate;
 
 use super::bodies::entries;
 use super::{Machine, PartReader};
-use crate::design::{Force, ForceShape, Input, Load};
+use crate::design::{Axes, Force, ForceShape, Input, Load};
 use crate::keyed::Keyed;
 use crate::measure::Motion;
 use crate::names;
@@ -103,8 +103,17 @@ impl Loads<'_> {
             prefix: part.prefix(),
             used: &mut self.signals,
             too_late: None,
+            embedded: part.is_embedded(),
+            out_of_plane: None,
         };
         let result = read(&mut signals);
+        if let Some(name) = signals.out_of_plane {
+            let message =
+                format!("`{name}` is along world axes, which a planar file in a spatial machine does not know");
+            let hint = "use the signals of joints, `time`, and lengths and rates of other elements";
+            part.reader.report(Diagnostic::error("not-in-plane", at.span, message).hint(hint));
+            return result;
+        }
         if let Some(name) = signals.too_late {
             let message = format!("a force cannot depend on `{name}`: it is known only after the forces are solved");
             let hint = "positions, velocities, `time`, and lengths and rates of other elements can be used";
@@ -173,9 +182,12 @@ fn read_force(force: Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Op
     Some(Force { name: part.full(&entry.key), shape: shape? })
 }
 
-fn axes(keyed: &Keyed<'_>) -> Axes {
-    match keyed.choice("axes") {
+/// The world of a planar file is its ground: in space that may lie and move any way.
+fn axes(force: &Opened<'_>, machine: &Machine) -> Axes {
+    let mount = machine.mounts.get(force.part.part.scope.0).copied().flatten();
+    match force.keyed.choice("axes") {
         Some(choice) if choice.value == "body" => Axes::Body,
+        _ if force.part.is_embedded() => mount.map_or(Axes::World, Axes::Point),
         _ => Axes::World,
     }
 }
@@ -183,7 +195,7 @@ fn axes(keyed: &Keyed<'_>) -> Axes {
 fn point_force(force: &Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Option<ForceShape> {
     let on = force.keyed.text("on").and_then(|name| force.part.point(machine, name));
     let vector = loads.vector(force, "vector");
-    Some(ForceShape::Point { at: on?, vector: vector?, axes: axes(&force.keyed) })
+    Some(ForceShape::Point { at: on?, vector: vector?, axes: axes(force, machine) })
 }
 
 fn torque(force: &Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Option<ForceShape> {
@@ -203,7 +215,9 @@ fn torque(force: &Opened<'_>, machine: &Machine, loads: &mut Loads<'_>) -> Optio
     } else {
         loads.vector(force, "vector")?
     };
-    Some(ForceShape::Torque { on: on?, vector, axes: axes(&force.keyed) })
+    // About the normal of the plane, which every body in it has for its own z.
+    let axes = if force.part.is_embedded() { Axes::Body } else { axes(force, machine) };
+    Some(ForceShape::Torque { on: on?, vector, axes })
 }
 
 fn between(force: &Opened<'_>, machine: &Machine) -> Option<[crate::design::PointRef; 2]> {

@@ -60,6 +60,8 @@ fn open<'a>(part: PartReader<'a>, entry: &'a Entry) -> Option<(Keyed<'a>, &'stat
             keyed.report(report.hint("use `revolute`, `prismatic`, `planar` or `weld`, or `space = \"spatial\"`"));
             None
         }
+        // In space it must not leave its plane.
+        Some("free") if part.is_embedded() => Some((keyed, "planar")),
         Some(kind) => Some((keyed, kind)),
         None => {
             keyed.finish();
@@ -107,6 +109,7 @@ fn read_joint(
         start,
         start_velocity,
         at_start: at_start.is_some_and(|flag| flag.value),
+        planar: part.planar,
     })
 }
 
@@ -190,6 +193,7 @@ fn read_coupler(part: PartReader<'_>, machine: &Machine, entry: &Entry, keyed: K
         start: Vec::new(),
         start_velocity: Vec::new(),
         at_start: false,
+        planar: part.planar,
     })
 }
 

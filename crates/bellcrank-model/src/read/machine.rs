@@ -3,7 +3,7 @@
 use bellcrank_doc::{Diagnostic, Diagnostics, Reader, Span};
 use bellcrank_multibody::{Coordinate, JointId};
 
-use super::{Files, PartReader, Tables, bodies, forces, joints, motions, studies, units};
+use super::{Files, PartReader, Tables, bodies, forces, joints, motions, planes, studies, units};
 use crate::design::{Body, Design, Joint, PointRef, Quantity, Study, coordinates};
 use crate::keyed::Keyed;
 use crate::measure::{DisplayUnits, Motion};
@@ -23,6 +23,8 @@ pub(crate) struct Machine {
     pub(crate) point_names: Vec<Index>,
     /// Where the points of a body of this name are: body, and what stands before their names there.
     grounds: Vec<(String, usize, String)>,
+    /// The point that carries the ground of each part; `None` where it is that of the world.
+    pub(crate) mounts: Vec<Option<PointRef>>,
     /// Names whose definitions were reported as wrong: references to them are not reported again.
     pub(crate) faulty_joints: Index,
 }
@@ -214,8 +216,13 @@ fn read_parts<'a>(
 ) -> Option<ReadParts> {
     let main = parts.first()?;
     let planar = planar(main);
-    let reader_of = |part: &'a super::Part| PartReader { part, reader: &readers[part.scope.0], planar };
-    let all: Vec<PartReader<'a>> = parts.iter().map(reader_of).collect();
+    let mut all: Vec<PartReader<'a>> = Vec::with_capacity(parts.len());
+    for part in parts {
+        // The file that includes it comes before it.
+        let around = part.parent.and_then(|parent| all.get(parent)).map_or(planar, |parent| parent.planar);
+        let own = around || space(part) == Some("planar");
+        all.push(PartReader { part, reader: &readers[part.scope.0], planar: own, machine_planar: planar });
+    }
     let head = read_head(all[0]);
     for part in &all[1..] {
         check_part(*part);
@@ -223,6 +230,7 @@ fn read_parts<'a>(
     let mut machine = Machine::default();
     bodies::read(&all, &mut machine);
     joints::read(&all, &mut machine);
+    planes::hold(&all, &mut machine);
     let forces = forces::read(&all, &machine);
     let motions = motions::read(&all, &machine, tables);
     let studies = studies::read(all[0], &machine, &motions, tables, &forces.catalogue, scopes);
@@ -231,7 +239,11 @@ fn read_parts<'a>(
 
 /// The space as far as it can be told; the plane while it is not known.
 fn planar(main: &super::Part) -> bool {
-    main.table.get("space").and_then(|entry| entry.value.as_str()) != Some("spatial")
+    space(main) != Some("spatial")
+}
+
+fn space(part: &super::Part) -> Option<&str> {
+    part.table.get("space").and_then(|entry| entry.value.as_str())
 }
 
 fn open<'a>(part: PartReader<'a>) -> Keyed<'a> {
@@ -264,11 +276,12 @@ fn check_part(part: PartReader<'_>) {
     let keyed = open(part);
     check_version(&keyed);
     if let Some(space) = keyed.choice("space")
-        && (space.value == "planar") != part.planar
+        && space.value == "spatial"
+        && part.planar
     {
-        let wanted = if part.planar { "planar" } else { "spatial" };
-        let message = format!("this subsystem is {}, the machine it is part of is {wanted}", space.value);
-        keyed.report(Diagnostic::error("wrong-space", space.span, message));
+        let message = "this subsystem is spatial, the machine it is part of is planar";
+        let report = Diagnostic::error("wrong-space", space.span, message);
+        keyed.report(report.hint("a planar file can be part of a spatial machine, not the other way round"));
     }
     keyed.finish();
 }

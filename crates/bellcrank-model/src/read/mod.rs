@@ -12,6 +12,7 @@ mod forward_keys;
 mod joints;
 mod machine;
 mod motions;
+mod planes;
 mod points;
 mod starts;
 mod studies;

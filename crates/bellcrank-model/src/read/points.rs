@@ -39,6 +39,7 @@ pub(crate) fn read_point(part: PartReader<'_>, entry: &Entry, owner: &Owner) -> 
         at: Vec::new(),
         rotation: Rotation::None,
         base: owner.base,
+        planar: part.planar,
     };
     if entry.value.as_table().is_some() {
         let keyed = Keyed::new(part.reader.fields(&entry.value, &what)?, &PLACE, part.space());

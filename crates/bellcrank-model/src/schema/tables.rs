@@ -71,7 +71,7 @@ pub(crate) static BODY: Schema = plain(
         Key::optional(
             "inertia",
             List(D::INERTIA, &[1, 3, 6]),
-            "about the centre of mass: in the plane one value, in space [Ixx, Iyy, Izz] or [Ixx, Iyy, Izz, Ixy, Ixz, \
+            "about the centre of mass: in the plane one value (or as in space), in space [Ixx, Iyy, Izz] or [Ixx, Iyy, Izz, Ixy, Ixz, \
              Iyz] (tensor entries), body axes",
         ),
         Key::optional("points", Points, "named points"),
@@ -159,7 +159,7 @@ pub(crate) static SUBSYSTEM: Schema = plain(
     "Another model file as a part of this machine; its names get the prefix `NAME.`.",
     &[
         Key::required("file", Text, "model file, relative to this one"),
-        Key::optional("ground", Name, "`body.point` that carries its ground; the world unless given"),
+        Key::optional("ground", Name, "`body.point` that carries its ground; the ground of this file unless given"),
         Key::optional("set", Map, "its parameters, in terms of this file's"),
     ],
 );

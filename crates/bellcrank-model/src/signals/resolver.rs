@@ -2,7 +2,7 @@
 
 use bellcrank_doc::{Dimension, Signals};
 
-use super::{Catalogue, Level, Signal};
+use super::{Catalogue, Level, Signal, Source};
 
 /// Names in hints; more are not compared.
 const HINTS: usize = 2000;
@@ -35,12 +35,19 @@ pub(crate) struct InstantSignals<'a> {
     pub(crate) used: &'a mut Vec<Signal>,
     /// A name that exists but is known too late: of the expression read last.
     pub(crate) too_late: Option<String>,
+    /// They are read by a planar file in a spatial machine.
+    pub(crate) embedded: bool,
+    /// A name of a component along the axes of the world, which such a file does not know.
+    pub(crate) out_of_plane: Option<String>,
 }
 
 impl Signals for InstantSignals<'_> {
     fn lookup(&mut self, name: &str) -> Option<(usize, Dimension)> {
         let signal = self.catalogue.find(&full(name, self.prefix))?;
         let column = self.catalogue.column(signal)?;
+        if self.embedded && matches!(signal.source, Source::Point { .. } | Source::Body(_)) {
+            self.out_of_plane.get_or_insert_with(|| name.to_owned());
+        }
         if column.level > Level::Velocity {
             self.too_late.get_or_insert_with(|| name.to_owned());
         }
@@ -53,7 +60,8 @@ impl Signals for InstantSignals<'_> {
 
     fn names(&self) -> Vec<String> {
         let early = |column: &super::Column| column.level <= Level::Velocity;
-        let sources = self.catalogue.sources().iter();
+        let known = |source: &&Source| !(self.embedded && matches!(source, Source::Point { .. } | Source::Body(_)));
+        let sources = self.catalogue.sources().iter().filter(known);
         let columns = sources.flat_map(|&source| self.catalogue.columns(source)).filter(early);
         columns.filter_map(|column| local(&column.name, self.prefix)).take(HINTS).collect()
     }

@@ -7,6 +7,7 @@ mod files;
 mod format;
 mod improve;
 mod lift;
+mod planar_in_space;
 mod programme;
 mod random;
 mod residuals;

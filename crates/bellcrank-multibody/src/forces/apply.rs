@@ -1,9 +1,9 @@
 //! What each element puts on the machine at the present position and velocity.
 
 use super::element::{Element, End, Friction};
+use crate::Value;
 use crate::mechanism::{Mechanism, Source};
 use crate::workspace::NodeState;
-use crate::{Axes, Value};
 use bellcrank_math::{Components, Frame, Real, Space};
 
 /// An element's own quantities.
@@ -115,8 +115,8 @@ fn apply_one<S: Space>(
     efforts: &mut [S::T],
 ) -> Output<S> {
     match element {
-        Element::Point { at, vector, axes } => point(now, at, vector, *axes, x),
-        Element::Torque { on, vector, axes } => torque(now, on, vector, *axes, x),
+        Element::Point { at, vector, axes } => point(now, at, vector, axes.as_ref(), x),
+        Element::Torque { on, vector, axes } => torque(now, on, vector, axes.as_ref(), x),
         Element::Effort { source, value } => {
             let (length, rate) = read(now.mech, x, now.q, now.v, *source);
             let effort = now.value(*value);
@@ -173,13 +173,13 @@ fn point<S: Space>(
     now: &Present<'_, S>,
     at: &End<S>,
     v: &[Value<S::T>; 3],
-    axes: Axes,
+    axes: Option<&End<S>>,
     x: &mut [NodeState<S>],
 ) -> Output<S> {
     let X = x[at.node].frame(&at.frame);
     let mut f = S::vector(&now.vector(v));
-    if axes == Axes::Body {
-        f = S::rotate(&X.rotation, f);
+    if let Some(axes) = axes {
+        f = S::rotate(&x[axes.node].frame(&axes.frame).rotation, f);
     }
     x[at.node].apply(X.origin, f, S::Angular::default());
     Output { length: nan::<S>(), rate: nan::<S>(), effort: magnitude(f.dot(f)), force: f, ..Output::default() }
@@ -189,13 +189,13 @@ fn torque<S: Space>(
     now: &Present<'_, S>,
     on: &End<S>,
     v: &[Value<S::T>; 3],
-    axes: Axes,
+    axes: Option<&End<S>>,
     x: &mut [NodeState<S>],
 ) -> Output<S> {
     let X = x[on.node].frame(&on.frame);
     let mut n = S::angular(&now.vector(v));
-    if axes == Axes::Body {
-        n = S::rotate_angular(&X.rotation, n);
+    if let Some(axes) = axes {
+        n = S::rotate_angular(&x[axes.node].frame(&axes.frame).rotation, n);
     }
     x[on.node].apply(X.origin, S::Vector::default(), n);
     // A plane's moment has a sign worth showing; space has a magnitude.

@@ -3,7 +3,7 @@
 use crate::builder::frame_of;
 use crate::constraint::Measure;
 use crate::mechanism::{Carried, Source};
-use crate::{Axes, Blueprint, BuildError, Coordinate, Force, Joint, Place, Value};
+use crate::{Axes, Blueprint, BodyId, BuildError, Coordinate, Force, Joint, Place, Value};
 use bellcrank_math::{Frame, Space};
 
 /// A frame on a node.
@@ -34,12 +34,13 @@ pub(crate) enum Element<S: Space> {
     Point {
         at: End<S>,
         vector: [Value<S::T>; 3],
-        axes: Axes,
+        /// Whose axes the components are along; the world's without.
+        axes: Option<End<S>>,
     },
     Torque {
         on: End<S>,
         vector: [Value<S::T>; 3],
-        axes: Axes,
+        axes: Option<End<S>>,
     },
     Effort {
         source: Source,
@@ -96,6 +97,19 @@ impl<S: Space> Resolve<'_, S> {
         let body = &self.bodies[place.body.0];
         End { node: body.node, frame: body.frame.then(&frame_of(place)) }
     }
+    fn body(&self, id: BodyId) -> End<S> {
+        let body = &self.bodies[id.0];
+        End { node: body.node, frame: body.frame }
+    }
+    /// The frame whose axes a vector on the body `on` is given in; `None` for world axes. "Body" axes are the body's,
+    /// whatever way the place where the vector acts is turned.
+    fn axes(&self, axes: &Axes<S::T>, on: BodyId) -> Option<End<S>> {
+        match axes {
+            Axes::World => None,
+            Axes::Body => Some(self.body(on)),
+            Axes::Frame(place) => Some(self.end(place)),
+        }
+    }
     fn along(&self, c: &Coordinate) -> Measure {
         let joint = self.joints.get(c.joint.0);
         joint.map_or(Measure::None, |joint| Measure::of::<S>(&joint.kind, c.index))
@@ -111,13 +125,10 @@ impl<S: Space> Resolve<'_, S> {
     fn element(&self, force: &Force<S::T>) -> Result<Element<S>, BuildError> {
         Ok(match force {
             Force::Point { at, vector, axes } => {
-                // The place tells where; "body" axes are the body's, whatever way the place is turned.
-                let frame = Frame { rotation: self.bodies[at.body.0].frame.rotation, ..self.end(at).frame };
-                Element::Point { at: End { frame, ..self.end(at) }, vector: *vector, axes: *axes }
+                Element::Point { at: self.end(at), vector: *vector, axes: self.axes(axes, at.body) }
             }
             Force::Torque { on, vector, axes } => {
-                let body = &self.bodies[on.0];
-                Element::Torque { on: End { node: body.node, frame: body.frame }, vector: *vector, axes: *axes }
+                Element::Torque { on: self.body(*on), vector: *vector, axes: self.axes(axes, *on) }
             }
             Force::Effort { coordinate, value } => Element::Effort { source: self.source(coordinate)?, value: *value },
             Force::Spring { between, stiffness, damping, free_length, preload } => Element::Spring {

@@ -136,7 +136,7 @@ fn random_forces(dice: &mut Dice, planar: bool, bodies: usize) -> Vec<Force<f64>
     let (stiffness, damping) = (six(), six());
     vec![
         Force::Point { at: random_place(dice, planar, i), vector, axes: Axes::Body },
-        Force::Torque { on: BodyId(i), vector: moment, axes: Axes::World },
+        Force::Torque { on: BodyId(i), vector: moment, axes: Axes::Frame(random_place(dice, planar, i / 2)) },
         Force::Spring {
             between: [random_place(dice, planar, j), random_place(dice, planar, i)],
             stiffness: c(120.0),
@@ -363,8 +363,12 @@ fn applied(b: &Blueprint<f64>, e: &dyn Engine, wrenches: &mut [(Vec3, Vec3)]) {
         let world = |p: &Place<f64>| e.point(p.body, p.position).position;
         match force {
             Force::Point { at, .. } => put(at.body.0, world(at), out.vector, [0.0; 3]),
-            Force::Torque { on, vector, .. } => {
+            Force::Torque { on, vector, axes } => {
                 let n = vector.map(|v| if let Value::Constant(x) = v { x } else { 0.0 });
+                let n = match axes {
+                    Axes::Frame(at) => apply(&times(&e.body(at.body).rotation, &at.rotation), n),
+                    _ => n,
+                };
                 put(on.0, [0.0; 3], [0.0; 3], n);
             }
             Force::Spring { between, .. } => {
