@@ -7,8 +7,11 @@ use bellcrank_results::{Animation, Pose};
 use crate::design::{Design, ForceShape};
 use crate::signals::{Level, View};
 
-/// Frames of an animation, but for one at the end.
-const MOST_FRAMES: usize = 240;
+/// Frames of an animation over positions, but for one at the end: it plays within seconds.
+const FEWEST_FRAMES: usize = 240;
+/// Frames of one over time, which can be long: as many as this allows, and poses of all bodies.
+const MOST_FRAMES: usize = 1200;
+const MOST_POSES: usize = 24_000;
 
 /// Poses picked evenly from the rows.
 #[derive(Default)]
@@ -18,6 +21,8 @@ pub(super) struct Frames {
     arrows: Vec<ForceId>,
     /// Rows of the whole study.
     expected: usize,
+    /// Frames, but for one at the end.
+    most: usize,
     animation: Animation,
 }
 
@@ -28,9 +33,12 @@ pub(crate) fn arrows(design: &Design) -> impl Iterator<Item = usize> + '_ {
 }
 
 impl Frames {
-    pub(super) fn new(design: &Design, expected: usize) -> Frames {
+    pub(super) fn new(design: &Design, expected: usize, has_time: bool) -> Frames {
         let arrows = arrows(design).map(ForceId).collect();
-        Frames { bodies: design.bodies.len(), arrows, expected, animation: Animation::default() }
+        let bodies = design.bodies.len();
+        let most =
+            if has_time { (MOST_POSES / bodies.max(1)).clamp(FEWEST_FRAMES, MOST_FRAMES) } else { FEWEST_FRAMES };
+        Frames { bodies, arrows, expected, most, animation: Animation::default() }
     }
 
     /// Takes the row when its turn has come.
@@ -54,11 +62,11 @@ impl Frames {
     /// Whether this row is the nearest one below a frame: k·(rows − 1)/frames, both ends included.
     fn wants(&self, row: usize) -> bool {
         let last = self.expected.saturating_sub(1);
-        if last <= MOST_FRAMES {
+        if last <= self.most {
             return true;
         }
-        let frame = (row * MOST_FRAMES).div_ceil(last);
-        frame * last / MOST_FRAMES == row
+        let frame = (row * self.most).div_ceil(last);
+        frame * last / self.most == row
     }
 
     pub(super) fn animation(self) -> Option<Animation> {

@@ -134,7 +134,7 @@ impl<'d> Session<'d> {
             return Err(Box::new(Failure { message, hints: vec!["take fewer points".to_owned()] }));
         }
         self.recorder.reserve(rows);
-        self.frames = Frames::new(self.design, rows);
+        self.frames = Frames::new(self.design, rows, has_time);
         Ok(())
     }
 

@@ -6,11 +6,12 @@
 
 mod base64;
 mod blob;
+mod solids;
 mod thinning;
 
 use bellcrank_results::{
     Animation, Arrow, Column, Designs, Drawing, DrawnBody, DrawnJoint, Findings, Pose, RunResult, SpaceKind,
-    StudyResult,
+    StudyResult, upright,
 };
 use serde_json::{Value, json};
 
@@ -19,12 +20,11 @@ use thinning::kept_frames;
 pub(crate) use thinning::kept_rows;
 
 pub(crate) fn push(page: &mut String, run: &RunResult) {
-    let planar = matches!(run.drawing.space, SpaceKind::Planar);
     let mut blobs = Vec::new();
     let mut studies = Vec::new();
     for study in &run.studies {
         let mut blob = Blob::default();
-        studies.push(described(study, planar, &mut blob));
+        studies.push(described(study, &run.drawing, &mut blob));
         blobs.push(blob);
     }
     let data = json!({ "drawing": drawing(&run.drawing), "studies": studies });
@@ -39,7 +39,7 @@ pub(crate) fn push(page: &mut String, run: &RunResult) {
     }
 }
 
-fn described(study: &StudyResult, planar: bool, blob: &mut Blob) -> Value {
+fn described(study: &StudyResult, drawing: &Drawing, blob: &mut Blob) -> Value {
     let rows = kept_rows(study);
     let columns: Vec<Value> =
         study.table.columns.iter().map(|column| packed(column, &rows, &study.axis, blob)).collect();
@@ -48,7 +48,7 @@ fn described(study: &StudyResult, planar: bool, blob: &mut Blob) -> Value {
         "axis": study.axis,
         "rows": rows.len(),
         "columns": columns,
-        "animation": study.animation.as_ref().map(|animation| moves(animation, &rows, planar, blob)),
+        "animation": study.animation.as_ref().map(|animation| moves(animation, &rows, drawing, blob)),
         "designs": match &study.findings {
             Some(Findings::Designs(found)) => designs(found, blob),
             _ => Value::Null,
@@ -94,7 +94,8 @@ fn packed(column: &Column, rows: &[usize], axes: &[String], blob: &mut Blob) -> 
 }
 
 /// The frames: to which of the page's rows each belongs, poses, and arrows as three components.
-fn moves(animation: &Animation, rows: &[usize], planar: bool, blob: &mut Blob) -> Value {
+fn moves(animation: &Animation, rows: &[usize], drawing: &Drawing, blob: &mut Blob) -> Value {
+    let planar = matches!(drawing.space, SpaceKind::Planar);
     let kept = kept_frames(animation);
     let frames = kept.iter().filter_map(|frame| animation.frames.get(*frame));
     let arrows = kept.iter().filter_map(|frame| animation.arrows.get(*frame));
@@ -105,6 +106,7 @@ fn moves(animation: &Animation, rows: &[usize], planar: bool, blob: &mut Blob) -
         "arrows": animation.arrows.first().map_or(0, Vec::len),
         "posesAt": push_poses(frames.flatten(), planar, blob),
         "arrowsAt": blob.push_floats(arrows.flatten().flatten().copied()),
+        "solids": solids::described(drawing, animation),
     })
 }
 
@@ -130,6 +132,7 @@ fn push_poses<'a>(poses: impl Iterator<Item = &'a Pose>, planar: bool, blob: &mu
 fn drawing(drawing: &Drawing) -> Value {
     json!({
         "planar": matches!(drawing.space, SpaceKind::Planar),
+        "axes": upright(drawing.up),
         "bodies": drawing.bodies.iter().map(body).collect::<Vec<_>>(),
         "joints": drawing.joints.iter().map(joint).collect::<Vec<_>>(),
         "arrows": drawing.arrows.iter().map(arrow).collect::<Vec<_>>(),

@@ -8,6 +8,8 @@ use crate::{FigureFile, findings, study_folders, told};
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
 const SCRIPT: &str = include_str!("../../web/dist/report.js");
 const SHEET: &str = include_str!("../../web/dist/report.css");
+/// The solid drawing with what it uses of three.js, as gzip in base64.
+const SOLID: &str = include_str!("../../web/dist/solid.gz.txt");
 
 /// About what a page of a few studies takes: saves copying it while it grows.
 const PAGE_BYTES: usize = 1 << 21;
@@ -33,6 +35,12 @@ pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>]) -> String {
     page.push_str(&provenance::section(run));
     page.push_str("</main>\n");
     data::push(&mut page, run);
+    if run.studies.iter().any(|study| study::moves(run, study)) {
+        page.push_str(&format!(
+            "<!-- three.js, (c) three.js authors, MIT licence -->\n\
+             <script type=\"text/plain\" id=\"bellcrank-solid\">{SOLID}</script>\n"
+        ));
+    }
     page.push_str(&format!("<script>{SCRIPT}</script>\n</body>\n</html>\n"));
     page
 }

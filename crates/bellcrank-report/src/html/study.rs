@@ -121,8 +121,7 @@ fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
         return "<p class=\"hint\">There are no rows to draw.</p>\n".to_owned();
     }
     let single = findings::is_single(study);
-    let moves = study.animation.as_ref().is_some_and(|animation| !animation.frames.is_empty());
-    let stage = if moves && !run.drawing.bodies.is_empty() {
+    let stage = if moves(run, study) {
         format!(
             "<h3 class=\"needs-script\">{}</h3>\n\
              <div class=\"stage needs-script\" data-stage=\"{index}\"></div>\n",
@@ -139,6 +138,12 @@ fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
         "{stage}<h3 class=\"needs-script no-print\">Curves</h3>\n\
          <div class=\"curves needs-script no-print\" data-curves=\"{index}\"></div>\n{thinned}"
     )
+}
+
+/// Whether there is a drawing of it.
+pub(crate) fn moves(run: &RunResult, study: &StudyResult) -> bool {
+    let has_frames = study.animation.as_ref().is_some_and(|animation| !animation.frames.is_empty());
+    has_frames && study.table.rows() > 0 && !run.drawing.bodies.is_empty()
 }
 
 /// Says so where the page holds fewer rows than the study.

@@ -8,4 +8,5 @@ mod html;
 mod kinds;
 mod markup;
 mod sample;
+mod solid;
 mod terminal;

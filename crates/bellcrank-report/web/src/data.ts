@@ -24,8 +24,22 @@ export interface Arrow {
   at: V3;
 }
 
+/** A part fixed on a body, body axes, m; colour as 0xrrggbb. */
+export interface Solid {
+  body: number;
+  colour: number;
+  metal: boolean;
+  shape:
+    | { rod: [V3, V3]; radius: number; round: boolean }
+    | { ball: V3; radius: number }
+    | { block: V3; along: V3; across: V3; size: V3 }
+    | { plate: V3[]; normal: V3; radius: number; thickness: number };
+}
+
 export interface Drawing {
   planar: boolean;
+  /** Right, up and towards the reader in world axes, as the machine is seen from the front. */
+  axes: [V3, V3, V3];
   bodies: Body[];
   joints: Joint[];
   arrows: Arrow[];
@@ -45,6 +59,7 @@ export interface Motion {
   arrowCount: number;
   poses: Float32Array;
   arrows: Float32Array;
+  solids: Solid[];
 }
 
 /** Designs of a sweep: the number of the design, what was varied, what was found. */
@@ -77,12 +92,21 @@ interface PackedColumn {
   double?: boolean;
 }
 
+interface PackedMotion {
+  rows: number[];
+  bodies: number;
+  arrows: number;
+  posesAt: number;
+  arrowsAt: number;
+  solids: Solid[];
+}
+
 interface PackedStudy {
   name: string;
   axis: string[];
   rows: number;
   columns: PackedColumn[];
-  animation: { rows: number[]; bodies: number; arrows: number; posesAt: number; arrowsAt: number } | null;
+  animation: PackedMotion | null;
   designs: { rows: number; total: number; inputs: number; columns: PackedColumn[]; front: Designs["front"] } | null;
 }
 
@@ -147,6 +171,7 @@ function motion(study: PackedStudy, buffer: ArrayBuffer, planar: boolean): Motio
     arrowCount: packed.arrows,
     poses: new Float32Array(buffer, packed.posesAt, poseCount),
     arrows: new Float32Array(buffer, packed.arrowsAt, packed.rows.length * packed.arrows * 3),
+    solids: packed.solids,
   };
 }
 

@@ -4,7 +4,7 @@ import type { Cursor } from "./cursor";
 import { type Motion, signal, type Study } from "./data";
 import { choice, make } from "./dom";
 import { withUnit } from "./format";
-import { frameAt, frameCount } from "./scene/pose";
+import { frameAt, frameCount, placeIn } from "./scene/pose";
 
 /** A sweep has no clock of its own: from end to end it takes this long, s. */
 const SWEEP_SECONDS = 4;
@@ -16,11 +16,15 @@ export class Player {
   private readonly button: HTMLButtonElement;
   private readonly slider: HTMLInputElement;
   private readonly readout: HTMLElement;
+  /** Where the drawing is, in frames; between two frames while it plays. */
+  at = 0;
+  /** Seconds from the start at which each frame is shown. */
+  private readonly clock: Float64Array;
+  private listeners: (() => void)[] = [];
   private playing = false;
   private speed = 1;
   private loop: Loop;
   private forward = true;
-  private at = 0;
   private last = 0;
 
   constructor(
@@ -28,6 +32,7 @@ export class Player {
     private readonly motion: Motion,
     private readonly cursor: Cursor,
   ) {
+    this.clock = clock(study, motion);
     const inTime = study.axis[0] === "time";
     this.loop = inTime ? "repeat" : "swing";
     this.button = make("button", { type: "button", class: "play", "aria-label": "Play", click: () => this.toggle() }, "▶");
@@ -45,8 +50,13 @@ export class Player {
       { class: "player" },
       this.button, step("One step back", "‹", -1), this.slider, step("One step on", "›", 1), this.readout, speeds, loops,
     );
-    cursor.follow((row, source) => this.follow(row, source));
+    cursor.follow((row, source) => this.moved(row, source));
     this.show();
+  }
+
+  /** Tells whenever the drawing is to be somewhere else. */
+  follow(listener: () => void): void {
+    this.listeners.push(listener);
   }
 
   toggle(): void {
@@ -64,6 +74,7 @@ export class Player {
     this.at = Math.max(0, Math.min(frameCount(this.motion) - 1, frame));
     this.cursor.set(this.motion.rows[Math.round(this.at)], this);
     this.show();
+    for (const listener of this.listeners) listener();
   }
 
   stop(): void {
@@ -75,10 +86,10 @@ export class Player {
     // A tab in the background wakes up late; that is not time to catch up with.
     const elapsed = Math.min(0.25, (now - this.last) / 1000);
     this.last = now;
-    const frames = frameCount(this.motion) - 1;
-    const step = ((elapsed * this.speed) / this.seconds()) * frames;
-    this.seek(this.turned(this.at + (this.forward ? step : -step), frames));
-    requestAnimationFrame((next) => this.tick(next));
+    const step = elapsed * this.speed;
+    const next = timeAt(this.clock, this.at) + (this.forward ? step : -step);
+    this.seek(placeIn(this.clock, this.turned(next, this.clock[this.clock.length - 1])));
+    requestAnimationFrame((then) => this.tick(then));
   }
 
   /** What lies beyond an end, by the kind of loop. */
@@ -94,14 +105,7 @@ export class Player {
     return this.loop === "once" ? end : at % end;
   }
 
-  /** How long one pass takes: the true time where there is one. */
-  private seconds(): number {
-    const time = this.study.axis[0] === "time" ? signal(this.study, "time") : undefined;
-    const span = time ? time.values[this.study.rows - 1] - time.values[0] : SWEEP_SECONDS;
-    return span > 0 ? span : SWEEP_SECONDS;
-  }
-
-  private follow(row: number, source: unknown): void {
+  private moved(row: number, source: unknown): void {
     if (source === this) return;
     this.stop();
     this.at = frameAt(this.motion, row);
@@ -119,4 +123,22 @@ export class Player {
     this.readout.textContent = text || `row ${row}`;
     this.slider.setAttribute("aria-valuetext", this.readout.textContent);
   }
+}
+
+/** True time where rows have one; else even steps. */
+function clock(study: Study, motion: Motion): Float64Array {
+  const time = study.axis[0] === "time" ? signal(study, "time")?.values : undefined;
+  const last = motion.rows[motion.rows.length - 1];
+  const seconds = (row: number) => (time ? time[row] - time[motion.rows[0]] : (SWEEP_SECONDS * row) / Math.max(1, last));
+  const rising = Float64Array.from(motion.rows, seconds);
+  return rising.every((at, k) => k === 0 || at >= rising[k - 1]) && rising[rising.length - 1] > 0
+    ? rising
+    : Float64Array.from(motion.rows, (_, k) => (SWEEP_SECONDS * k) / Math.max(1, motion.rows.length - 1));
+}
+
+/** The time of a place between two frames. */
+function timeAt(clock: Float64Array, at: number): number {
+  const low = Math.min(Math.floor(at), clock.length - 1);
+  const high = Math.min(low + 1, clock.length - 1);
+  return clock[low] + (clock[high] - clock[low]) * (at - low);
 }

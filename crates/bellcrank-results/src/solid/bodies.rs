@@ -48,9 +48,8 @@ fn frame(plan: &Plan<'_>, index: usize, body: &DrawnBody) -> Vec<Solid> {
     let radius = plan.scale.radius(index);
     let plane = plane(&jointed(plan, index), 0.02 * radius);
     let lies_in = |p: V3| plane.is_some_and(|(origin, normal)| dot(normal, sub(p, origin)).abs() < 0.1 * radius);
-    let ends = body.lines.iter().filter_map(|[a, b]| Some((body.points.get(*a)?.1, body.points.get(*b)?.1)));
     let bar = |(from, to)| Shape::Rod { from, to, radius, round: true };
-    let mut shapes: Vec<Shape> = ends.filter(|(a, b)| !(lies_in(*a) && lies_in(*b))).map(bar).collect();
+    let mut shapes: Vec<Shape> = bars(body, lies_in).into_iter().map(bar).collect();
     if let Some((_, normal)) = plane {
         let flat: Vec<V3> = body.points.iter().map(|(_, at)| *at).filter(|at| lies_in(*at)).collect();
         shapes.push(Shape::Plate {
@@ -61,6 +60,25 @@ fn frame(plan: &Plan<'_>, index: usize, body: &DrawnBody) -> Vec<Solid> {
         });
     }
     shapes.into_iter().map(|shape| Solid { body: index, shape, paint: Paint::Body }).collect()
+}
+
+/// The lines that do not lie in the plate; of several from one point to it the shortest.
+fn bars(body: &DrawnBody, lies_in: impl Fn(V3) -> bool) -> Vec<(V3, V3)> {
+    let place = |index: usize| body.points.get(index).map(|(_, at)| *at);
+    let lines = body.lines.iter().filter_map(|[a, b]| Some((place(*a)?, place(*b)?)));
+    // Those that end on the plate end there with their second place.
+    let lines = lines.map(|(a, b)| if lies_in(a) { (b, a) } else { (a, b) }).filter(|(a, _)| !lies_in(*a));
+    let mut sorted: Vec<(V3, V3)> = lines.collect();
+    sorted.sort_by(|(a, b), (c, d)| norm(sub(*a, *b)).total_cmp(&norm(sub(*c, *d))));
+    let mut standing: Vec<V3> = Vec::new();
+    sorted.retain(|(from, to)| {
+        let again = lies_in(*to) && standing.contains(from);
+        if lies_in(*to) {
+            standing.push(*from);
+        }
+        !again
+    });
+    sorted
 }
 
 /// Different places of a body at which joints are.

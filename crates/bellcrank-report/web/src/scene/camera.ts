@@ -4,7 +4,17 @@ import type { V3 } from "../data";
 
 export type V2 = [number, number];
 
-export class Camera {
+/** How a drawing is seen, flat or solid. */
+export interface Eye {
+  readonly planar: boolean;
+  /** Pixels of a metre. */
+  readonly scale: number;
+  project(p: V3): V2;
+  /** A direction as seen: its two components on the canvas, y down. */
+  direction(v: V3): V2;
+}
+
+export class Camera implements Eye {
   private yaw = -0.9;
   private pitch = 0.42;
   private zoom = 1;
@@ -16,7 +26,11 @@ export class Camera {
   private row1: V3 = [0, 1, 0];
   private row2: V3 = [0, 0, 1];
 
-  constructor(readonly planar: boolean) {
+  /** `axes`: right, up and towards the reader, as the machine is seen from the front. */
+  constructor(
+    readonly planar: boolean,
+    private readonly axes: [V3, V3, V3],
+  ) {
     this.turnRows();
   }
 
@@ -92,8 +106,10 @@ export class Camera {
     if (this.planar) return;
     const [sy, cy] = [Math.sin(this.yaw), Math.cos(this.yaw)];
     const [sp, cp] = [Math.sin(this.pitch), Math.cos(this.pitch)];
-    this.row0 = [cy, sy, 0];
-    this.row1 = [sp * sy, -sp * cy, cp];
+    const [right, up, front] = this.axes;
+    const along = (a: number, b: number, c: number) => right.map((x, k) => a * x + b * up[k] + c * front[k]) as V3;
+    this.row0 = along(cy, 0, -sy);
+    this.row1 = along(sp * sy, cp, sp * cy);
     this.row2 = cross(this.row0, this.row1);
   }
 }

@@ -1,15 +1,14 @@
 // What gives a drawing its size and its directions: a scale bar in the plane, axes in space.
 
-import type { V3 } from "../data";
-import type { Camera, V2 } from "./camera";
-import { INK, type Pen } from "./pen";
+import type { Eye, V2 } from "./camera";
+import { AXES, INK, type Pen } from "./pen";
 
-export function drawLegend(pen: Pen, camera: Camera, size: V2): void {
+export function drawLegend(pen: Pen, camera: Eye, size: V2): void {
   scaleBar(pen, camera, size);
   if (!camera.planar) axes(pen, camera, size);
 }
 
-function scaleBar(pen: Pen, camera: Camera, [, height]: V2): void {
+function scaleBar(pen: Pen, camera: Eye, [, height]: V2): void {
   const wanted = 110 / camera.scale;
   const power = 10 ** Math.floor(Math.log10(wanted));
   const length = ([5, 2, 1].find((lead) => lead * power <= wanted) ?? 1) * power;
@@ -20,10 +19,9 @@ function scaleBar(pen: Pen, camera: Camera, [, height]: V2): void {
   pen.text(text, [x + pixels + 7, y + 3], INK, 11);
 }
 
-function axes(pen: Pen, camera: Camera, [width, height]: V2): void {
+function axes(pen: Pen, camera: Eye, [width, height]: V2): void {
   const at: V2 = [width - 50, height - 46];
-  const names: [string, V3, string][] = [["x", [1, 0, 0], "#b3261e"], ["y", [0, 1, 0], "#12805c"], ["z", [0, 0, 1], "#0b5fa5"]];
-  for (const [name, axis, colour] of names) {
+  for (const [axis, colour, name] of AXES) {
     const [dx, dy] = camera.direction(axis);
     pen.arrow(at, [at[0] + 32 * dx, at[1] + 32 * dy], colour);
     pen.text(name, [at[0] + 40 * dx - 3, at[1] + 40 * dy + 4], colour, 12, "600");

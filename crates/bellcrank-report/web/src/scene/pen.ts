@@ -1,11 +1,18 @@
 // Strokes and shapes on the canvas, in pixels.
 
+import type { V3 } from "../data";
 import type { V2 } from "./camera";
 
 export const INK = "#1d2733";
 export const PAPER = "#ffffff";
 export const FORCE = "#c4510a";
 export const REACTION = "#8a2b78";
+/** Axes with their colours and names. */
+export const AXES: [V3, string, string][] = [
+  [[1, 0, 0], "#b3261e", "x"],
+  [[0, 1, 0], "#12805c", "y"],
+  [[0, 0, 1], "#0b5fa5", "z"],
+];
 const BODIES = ["#0b5fa5", "#12805c", "#9a5b00", "#5b4aa8", "#a23a4a", "#3b6f7d", "#6b6b00", "#7a3b10"];
 
 /** The colour of a body; the ground has the ink's. */

@@ -1,96 +1,69 @@
 // The whole drawing of one frame.
 
-import { type Drawing, type Motion, signal, type Study, type V3 } from "../data";
+import type { Drawing, Motion, V3 } from "../data";
+import type { Shown, Spot, View } from "../view";
 import { Camera, type V2 } from "./camera";
+import type { Facts } from "./facts";
+import { drawLegend } from "./legend";
 import { hull } from "./hull";
-import { bodyColour, FORCE, INK, Pen, REACTION } from "./pen";
+import { AXES, bodyColour, FORCE, INK, Pen, REACTION } from "./pen";
 import { Frame, places, someFrames } from "./pose";
 import { type Drawn, drawJoint, drawSupport, type Travel } from "./symbols";
 
-export interface Shown {
-  applied: boolean;
-  reactions: boolean;
-  names: boolean;
-  /** `BODY.POINT`, `*` for all moving points, or nothing. */
-  trail: string;
-}
-
-/** A named place on the canvas, for hovering. */
-export interface Spot {
-  at: V2;
-  title: string;
-  joint: string | null;
-}
-
-/** A point that moves, with its path. */
-interface Trail {
-  name: string;
-  path: V3[];
-  length: number;
-}
-
-export class Scene {
+export class Scene implements View {
+  readonly kind = "flat";
   readonly camera: Camera;
-  readonly trails: Trail[];
+  private readonly drawing: Drawing;
+  private readonly motion: Motion;
   private readonly reach: V3[];
   private readonly travels: Travel[];
-  private readonly appliedPeak: number;
-  private readonly reactionPeak: number;
+  private size: V2 = [1, 1];
 
-  constructor(
-    readonly drawing: Drawing,
-    readonly motion: Motion,
-    private readonly study: Study,
-  ) {
-    this.camera = new Camera(drawing.planar);
+  constructor(private readonly facts: Facts) {
+    const { drawing, motion } = facts;
+    [this.drawing, this.motion] = [drawing, motion];
+    this.camera = new Camera(drawing.planar, drawing.axes);
     const frames = someFrames(motion, drawing.planar, 80);
     const all = places(drawing);
     this.reach = frames.flatMap((frame) => all.map(([body, at]) => frame.place(body, at)));
     this.travels = drawing.joints.map((joint) => travel(frames, joint.first, joint.second));
-    this.trails = trails(drawing, motion);
-    this.appliedPeak = peak(frames.flatMap((frame) => drawing.arrows.map((_, index) => frame.force(index))));
-    this.reactionPeak = peak(frames.flatMap((frame) => drawing.joints.map((j) => this.reaction(j.name, frame.index))));
   }
 
-  get hasReactions(): boolean {
-    return this.reactionPeak > 0;
+  drag(dx: number, dy: number, move: boolean): void {
+    this.camera.drag(dx, dy, move);
   }
 
-  /** Points at which a force acts. */
-  loadedPoints(): string[] {
-    return this.drawing.arrows.flatMap(({ body, at }) => {
-      const owner = this.drawing.bodies[body];
-      const here = owner?.points.find(([, p]) => Math.hypot(p[0] - at[0], p[1] - at[1], p[2] - at[2]) < 1e-9);
-      return here ? [`${owner.name}.${here[0]}`] : [];
-    });
+  zoomBy(factor: number, at: V2): void {
+    this.camera.zoomBy(factor, at);
+  }
+
+  reset(): void {
+    this.camera.reset();
+    this.fit(this.size);
   }
 
   fit(size: V2): void {
+    this.size = size;
     // Arrows of forces stand out of what the bodies reach.
     const margin = this.drawing.arrows.length > 0 ? 84 : 56;
     if (this.reach.length > 0) this.camera.fit(this.reach, size, Math.min(margin, size[0] * 0.1));
   }
 
   /** Draws a frame and gives the places that have a name. */
-  draw(context: CanvasRenderingContext2D, index: number, shown: Shown): Spot[] {
-    const frame = new Frame(this.motion, this.drawing.planar, index);
+  draw(context: CanvasRenderingContext2D, at: number, shown: Shown): Spot[] {
+    const frame = new Frame(this.motion, this.drawing.planar, at);
     const to: Drawn = { pen: new Pen(context), camera: this.camera, frame };
     this.drawTrails(to, shown.trail);
     this.drawing.joints.forEach((joint) => drawSupport(to, joint));
-    this.drawBodies(to);
+    this.drawBodies(to, shown);
     this.inDepthOrder(to).forEach((k) => drawJoint(to, this.drawing.joints[k], this.travels[k]));
     if (shown.reactions) this.drawReactions(to);
     if (shown.applied) this.drawApplied(to);
+    if (shown.frames) this.drawFrames(to);
+    drawLegend(to.pen, this.camera, this.size);
     const spots = this.spots(to);
     if (shown.names) spots.forEach((spot) => to.pen.text(spot.title, [spot.at[0] + 9, spot.at[1] - 8], INK, 12));
     return spots;
-  }
-
-  /** What the first body puts on the second, world axes; zero where the study has no such signal. */
-  reaction(joint: string, frame: number): V3 {
-    const row = this.motion.rows[frame];
-    const component = (k: string) => signal(this.study, `joint.${joint}.reaction.${k}`)?.values[row] ?? 0;
-    return ["fx", "fy", "fz"].map((k) => component(k) || 0) as V3;
   }
 
   private inDepthOrder({ camera, frame }: Drawn): number[] {
@@ -99,13 +72,12 @@ export class Scene {
   }
 
   private drawTrails({ pen, camera }: Drawn, choice: string): void {
-    for (const trail of this.trails) {
-      if (choice !== "*" && choice !== trail.name) continue;
+    for (const trail of this.facts.chosen(choice)) {
       pen.line(trail.path.map((p) => camera.project(p)), 1.3, "#7a8794", [5, 3]);
     }
   }
 
-  private drawBodies(to: Drawn): void {
+  private drawBodies(to: Drawn, shown: Shown): void {
     const { camera, frame } = to;
     const bodies = this.drawing.bodies.map((body, index) => ({
       index,
@@ -120,14 +92,24 @@ export class Scene {
       const colour = bodyColour(index);
       if (closed) to.pen.polygon(hull(points), `${colour}26`, colour, 0);
       for (const [a, b] of body.lines) if (points[a] && points[b]) to.pen.bar(points[a], points[b], index === 0 ? 1.6 : 3.4, colour);
-      if (body.center && camera.planar) centerMark(to.pen, camera.project(frame.place(index, body.center)));
+      if (body.center && shown.centers) centerMark(to.pen, camera.project(frame.place(index, body.center)));
     }
+  }
+
+  private drawFrames({ pen, camera, frame }: Drawn): void {
+    this.drawing.bodies.forEach((_, body) => {
+      const at = camera.project(frame.place(body, [0, 0, 0]));
+      for (const [axis, colour] of AXES) {
+        const [dx, dy] = camera.direction(frame.turn(body, axis));
+        pen.arrow(at, [at[0] + 26 * dx, at[1] + 26 * dy], colour);
+      }
+    });
   }
 
   private drawApplied({ pen, camera, frame }: Drawn): void {
     this.drawing.arrows.forEach((arrow, index) => {
       const tip = camera.project(frame.place(arrow.body, arrow.at));
-      const [dx, dy] = this.arrowLength(camera.direction(frame.force(index)), this.appliedPeak);
+      const [dx, dy] = this.arrowLength(camera.direction(frame.force(index)), this.facts.appliedPeak);
       // A load is drawn pushing: its tip is where it acts.
       pen.arrow([tip[0] - dx, tip[1] - dy], tip, FORCE);
       pen.text(arrow.name, [tip[0] - dx + 6, tip[1] - dy + 4], FORCE);
@@ -137,7 +119,7 @@ export class Scene {
   private drawReactions({ pen, camera, frame }: Drawn): void {
     for (const joint of this.drawing.joints) {
       const foot = camera.project(frame.place(...joint.second));
-      const [dx, dy] = this.arrowLength(camera.direction(this.reaction(joint.name, frame.index)), this.reactionPeak);
+      const [dx, dy] = this.arrowLength(camera.direction(this.facts.reaction(joint.name, frame)), this.facts.reactionPeak);
       pen.arrow(foot, [foot[0] + dx, foot[1] + dy], REACTION);
     }
   }
@@ -190,28 +172,4 @@ function travel(frames: Frame[], first: [number, V3], second: [number, V3]): Tra
     return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   });
   return { near: Math.min(...lengths), far: Math.max(...lengths) };
-}
-
-function trails(drawing: Drawing, motion: Motion): Trail[] {
-  const frames = someFrames(motion, drawing.planar, 400);
-  const all = drawing.bodies.flatMap((body, index) =>
-    body.points.map(([name, at]) => {
-      const path = frames.map((frame) => frame.place(index, at));
-      return { name: `${body.name}.${name}`, path, length: pathLength(path) };
-    }),
-  );
-  const longest = Math.max(0, ...all.map((trail) => trail.length));
-  return all.filter((trail) => trail.length > 1e-6 * longest && trail.length > 1e-12);
-}
-
-function pathLength(path: V3[]): number {
-  let length = 0;
-  for (let i = 1; i < path.length; i++) {
-    length += Math.hypot(path[i][0] - path[i - 1][0], path[i][1] - path[i - 1][1], path[i][2] - path[i - 1][2]);
-  }
-  return length;
-}
-
-function peak(forces: V3[]): number {
-  return forces.reduce((most, f) => Math.max(most, Math.hypot(...f)), 0);
 }
