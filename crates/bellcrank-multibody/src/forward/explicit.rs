@@ -19,7 +19,7 @@ const LARGEST_PROJECTION: f64 = 100.0;
 /// Length of the stable part of the negative real axis (Hairer & Wanner II, §IV.2: 6.1 for this method).
 const STABLE: f64 = 6.1;
 /// Part of the tolerance that one step may use up: errors of many steps add up.
-const SHARE: f64 = 0.1;
+pub(crate) const SHARE: f64 = 0.1;
 /// Signs of stiffness in a row that are believed.
 const STIFF: usize = 15;
 
@@ -81,7 +81,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// The slope at the beginning where events or breaks made it stale.
-    fn freshen(&mut self, f: &mut Flight<S>, around: &mut dyn Surroundings) -> Result<(), MechanismError> {
+    pub(crate) fn freshen(&mut self, f: &mut Flight<S>, around: &mut dyn Surroundings) -> Result<(), MechanismError> {
         if f.step.stale {
             f.step.y.copy_from_slice(&f.step.y0);
             self.load(f);
@@ -199,7 +199,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Length of the first step (Hairer, Nørsett & Wanner I, §II.4).
-    fn first_length(
+    pub(crate) fn first_length(
         &mut self,
         f: &mut Flight<S>,
         limit: f64,

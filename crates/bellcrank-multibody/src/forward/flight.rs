@@ -1,10 +1,11 @@
 //! A machine that was let go: what is prescribed, what is locked, and where the integrator stands.
 
 use super::door::{Dynamics, Event, Mode, SolverEffort};
-use super::implicit::Jacobian;
+use super::implicit::Alpha;
 use super::locks::Act;
 use super::saddle::Saddle;
 use super::step::Step;
+use super::stiffness::Jacobian;
 use super::watch::Watching;
 use crate::Reading;
 use crate::mass_matrix::MassMatrix;
@@ -39,7 +40,8 @@ pub(crate) struct Flight<S: Space<T = f64>> {
     pub(crate) movable: Vec<bool>,
     pub(crate) watching: Watching,
     pub(crate) storm: Storm,
-    pub(crate) jacobian: Jacobian,
+    pub(crate) jacobian: Jacobian<S>,
+    pub(crate) alpha: Alpha,
     /// Positions, velocities and accelerations of all that is prescribed: driven, then locked.
     pub(crate) target: Vec<f64>,
     pub(crate) velocity: Vec<f64>,

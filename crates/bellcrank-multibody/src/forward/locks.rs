@@ -54,6 +54,7 @@ impl<S: Space<T = f64>> Machine<S> {
         f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
         self.error_units(f);
         f.jacobian.forget();
+        f.alpha.forget();
     }
 
     fn grow_scratch(&mut self, rows: usize) {

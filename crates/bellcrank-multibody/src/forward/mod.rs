@@ -2,7 +2,7 @@
 //!
 //! `door` is what others see, `machine` the way from output to output. `saddle` solves masses and constraints together,
 //! `acceleration` and `project` use it; `start` makes the beginning consistent. Time is stepped by `explicit` or
-//! `implicit`; `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
+//! `implicit` (by the tangents of `stiffness`); `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
 
 mod acceleration;
 mod door;
@@ -18,6 +18,7 @@ mod saddle;
 mod start;
 mod state;
 mod step;
+mod stiffness;
 mod watch;
 
 pub use door::{

@@ -45,7 +45,7 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// `gamma = −g` of all rows; the largest entry is returned.
-    fn fill_closure(&mut self, f: &mut Flight<S>) -> f64 {
+    pub(crate) fn fill_closure(&mut self, f: &mut Flight<S>) -> f64 {
         let mut largest = 0.0_f64;
         for (gamma, value) in f.gamma.iter_mut().zip(&self.rows.value) {
             *gamma = -value;

@@ -263,8 +263,8 @@ impl Saddle {
         for (i, &v) in self.columns.iter().enumerate() {
             self.right[i] = tau[v] * self.column_scale[v] / self.mass_scale;
         }
-        for r in 0..self.rows {
-            self.right[n + r] = gamma[r] * self.row_scale[r];
+        for ((right, gamma), scale) in self.right[n..].iter_mut().zip(gamma).zip(&self.row_scale) {
+            *right = gamma * scale;
         }
         if self.regularized {
             self.solve_refined();
@@ -276,6 +276,65 @@ impl Saddle {
         }
         for (r, mu) in mu.iter_mut().enumerate().take(self.rows) {
             *mu = self.solution[n + r] * self.row_scale[r] * self.mass_scale;
+        }
+    }
+
+    /// Factors the system with a tangent added to the masses (both over velocity components, SI), dense.
+    pub(crate) fn factor_with_tangent(
+        &mut self,
+        matrix: Option<BandLu>,
+        tangent: impl Fn(usize, usize) -> f64,
+    ) -> (BandLu, f64) {
+        let (n, size) = (self.columns.len(), self.right.len());
+        let mut lu = matrix.filter(|m| m.size() == size).unwrap_or_else(|| BandLu::new(size, size, size));
+        lu.clear();
+        for (i, &v) in self.columns.iter().enumerate() {
+            for (j, &u) in self.columns.iter().enumerate() {
+                let scale = self.column_scale[v] * self.column_scale[u] / self.mass_scale;
+                lu.add(i, j, tangent(v, u) * scale);
+            }
+        }
+        for &(i, j, value) in &self.masses {
+            lu.add(i, j, value);
+            if i != j {
+                lu.add(j, i, value);
+            }
+        }
+        for &(r, c, value) in &self.jacobian {
+            lu.add(n + r, c, value);
+            lu.add(c, n + r, value);
+        }
+        if self.redundant {
+            (0..self.rows).for_each(|r| lu.add(n + r, n + r, -COMPLIANCE));
+        }
+        let ratio = lu.factor();
+        (lu, ratio)
+    }
+
+    /// Like [`Saddle::solve`] with a matrix of [`Saddle::factor_with_tangent`]; `room` holds the unknowns.
+    pub(crate) fn solve_with(
+        &self,
+        matrix: &BandLu,
+        room: &mut Vec<f64>,
+        tau: &[f64],
+        gamma: &[f64],
+        out: &mut [f64],
+        mu: &mut [f64],
+    ) {
+        let n = self.columns.len();
+        room.resize(n + self.rows, 0.0);
+        for (i, &v) in self.columns.iter().enumerate() {
+            room[i] = tau[v] * self.column_scale[v] / self.mass_scale;
+        }
+        for ((right, gamma), scale) in room[n..].iter_mut().zip(gamma).zip(&self.row_scale) {
+            *right = gamma * scale;
+        }
+        matrix.solve(room);
+        for (i, &v) in self.columns.iter().enumerate() {
+            out[v] = room[i] * self.column_scale[v];
+        }
+        for (r, mu) in mu.iter_mut().enumerate().take(self.rows) {
+            *mu = room[n + r] * self.row_scale[r] * self.mass_scale;
         }
     }
 
@@ -345,6 +404,11 @@ impl Saddle {
             }
         }
         a
+    }
+
+    /// What the scaled masses are measured in, kg or kg·m².
+    pub(crate) fn mass_scale(&self) -> f64 {
+        self.mass_scale
     }
 
     /// Scale of the unknown `i`: what one of its units is in SI.

@@ -2,10 +2,11 @@
 
 use super::door::{Begun, Dynamics, Method, SolverEffort, Surroundings};
 use super::flight::{Flight, Storm};
-use super::implicit::Jacobian;
+use super::implicit::Alpha;
 use super::locks::Act;
 use super::saddle::Saddle;
 use super::step::Step;
+use super::stiffness::Jacobian;
 use crate::forces::Element;
 use crate::mass_matrix::MassMatrix;
 use crate::mechanism::Source;
@@ -46,7 +47,7 @@ impl<S: Space<T = f64>> Machine<S> {
         Ok((f, Begun { freedom, redundant, energy: energy.kinetic + energy.potential }))
     }
 
-    fn new_flight(&mut self, dynamics: &Dynamics, redundant: bool) -> Flight<S> {
+    pub(crate) fn new_flight(&mut self, dynamics: &Dynamics, redundant: bool) -> Flight<S> {
         let driven: Vec<Source> = dynamics.driven.iter().filter_map(|c| self.mech.source(*c)).collect();
         let mass = MassMatrix::new(&self.mech);
         let saddle = Saddle::new(&self.mech, &self.rows, &mass, &driven, redundant);
@@ -68,7 +69,8 @@ impl<S: Space<T = f64>> Machine<S> {
             movable,
             watching: super::watch::Watching::default(),
             storm: Storm::default(),
-            jacobian: Jacobian::new(self.mech.nv),
+            jacobian: Jacobian::new(),
+            alpha: Alpha::default(),
             dynamics: dynamics.clone(),
             mass,
             saddle,

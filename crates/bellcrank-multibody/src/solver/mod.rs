@@ -22,3 +22,4 @@ pub(crate) use jacobian::{Entry, Rows, source_entries};
 pub(crate) use machine::Stage;
 pub use machine::{Machine, engine_for};
 pub(crate) use system::{OUT, Prescribed};
+pub(crate) use tangent::{Along, Slip, Tangent};

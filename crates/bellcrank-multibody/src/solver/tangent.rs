@@ -420,6 +420,64 @@ impl<D: Space<T = Seeded>> Tangent<D> {
     }
 }
 
+/// Along which components of the state forces are differentiated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Along {
+    Positions,
+    Velocities,
+}
+
+/// Friction whose normal force is held: direction (`None` where the law says it) and normal force.
+pub(crate) type Slip = (Option<f64>, f64);
+
+impl<D: Space<T = Seeded>> Tangent<D> {
+    /// Derivatives of what is unbalanced, `τ − Jᵀλ − Q` (nv), with respect to up to [`SEEDS`] components from `first`
+    /// on, at the machine's present state, accelerations and multipliers; normal forces of friction are held.
+    pub(crate) fn unbalanced<S: Space<T = f64>>(
+        &mut self,
+        machine: &Machine<S>,
+        along: Along,
+        first: usize,
+        prescribed: &[Prescribed],
+        slips: &[Option<Slip>],
+        inputs: Inputs<'_, Seeded>,
+    ) -> Result<&[Seeded], MechanismError> {
+        self.begin(machine, Seeded::from_re(machine.time));
+        let lanes = (0..SEEDS).filter(|lane| first + lane < self.mech.nv);
+        self.step.fill(Seeded::default());
+        for lane in lanes {
+            match along {
+                Along::Positions => self.step[first + lane].eps[lane] = 1.0,
+                Along::Velocities => self.v[first + lane].eps[lane] = 1.0,
+            }
+        }
+        self.displace();
+        kinematics::positions(&self.mech, &self.q, &mut self.x);
+        self.evaluate_wrenches();
+        kinematics::velocities(&self.mech, &self.v, &mut self.x);
+        kinematics::accelerations(&self.mech, &self.v, Some(&self.a), &mut self.x);
+        self.ask_inputs(inputs)?;
+        let now = Present { mech: &self.mech, q: &self.q, v: &self.v, inputs: &self.inputs };
+        apply_all(&now, &mut self.x, &mut self.efforts, &mut self.outputs);
+        crate::dynamics::own_wrenches(&self.mech, &mut self.x);
+        self.slip(slips);
+        self.balance_residuals(prescribed);
+        Ok(&self.left[..self.mech.nv])
+    }
+
+    fn slip(&mut self, slips: &[Option<Slip>]) {
+        for (i, slip) in slips.iter().enumerate() {
+            let (Some((direction, normal)), Element::Friction(f)) = (slip, self.mech.elements[i].clone()) else {
+                continue;
+            };
+            let now = Present { mech: &self.mech, q: &self.q, v: &self.v, inputs: &self.inputs };
+            let rate = read(&self.mech, &self.x, &self.q, &self.v, f.source).1;
+            let direction = direction.map_or_else(|| friction_direction(&now, &f, rate), Seeded::from_re);
+            self.friction[i] = friction_effort(&now, &f, rate, direction, Seeded::from_re(*normal));
+        }
+    }
+}
+
 impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn carry_derivatives(
         &mut self,

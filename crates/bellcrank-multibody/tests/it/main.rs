@@ -7,6 +7,7 @@ mod chain;
 mod forward;
 mod lift;
 mod machines;
+mod modes;
 mod random;
 mod renewed;
 mod statics;

@@ -274,22 +274,22 @@ fn choose(
     false
 }
 
-struct Motion {
-    at: Vec<f64>,
-    rate: Vec<f64>,
-    accel: Vec<f64>,
+pub struct Motion {
+    pub at: Vec<f64>,
+    pub rate: Vec<f64>,
+    pub accel: Vec<f64>,
 }
 
 impl Motion {
-    fn position(&self, t: f64) -> Vec<f64> {
+    pub fn position(&self, t: f64) -> Vec<f64> {
         (0..self.at.len()).map(|i| self.at[i] + self.rate[i] * t + 0.5 * self.accel[i] * t * t).collect()
     }
-    fn velocity(&self, t: f64) -> Vec<f64> {
+    pub fn velocity(&self, t: f64) -> Vec<f64> {
         (0..self.at.len()).map(|i| self.rate[i] + self.accel[i] * t).collect()
     }
 }
 
-fn solve(e: &mut dyn Engine, m: &Motion, t: f64) -> bool {
+pub fn solve(e: &mut dyn Engine, m: &Motion, t: f64) -> bool {
     e.move_to(t, &m.position(t)).is_ok()
         && e.set_rates(&m.velocity(t), &m.accel).is_ok()
         && e.solve_forces(&mut |_, _| {}).is_ok()
