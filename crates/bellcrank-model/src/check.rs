@@ -4,9 +4,9 @@ mod facts;
 mod notes;
 mod show;
 
-pub(crate) use facts::check;
+pub(crate) use facts::{check, counted};
 
-use bellcrank_results::{Failure, SpaceKind};
+use bellcrank_results::{Failure, Programme, SpaceKind};
 
 /// A body in a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +69,8 @@ pub struct Check {
     pub special: bool,
     /// What is missing or suspicious.
     pub notes: Vec<String>,
+    /// What moves when in studies over time, and the names of those of which it holds.
+    pub programmes: Vec<(Vec<String>, Programme)>,
     /// Why it could not be assembled.
     pub failure: Option<Failure>,
 }

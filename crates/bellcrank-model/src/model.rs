@@ -228,7 +228,7 @@ impl Model {
     }
 
     fn result(&self, studies: Vec<StudyResult>, mut warnings: Vec<String>) -> RunResult {
-        let facts = self.check();
+        let facts = check::counted(self);
         warnings.extend(facts.notes.iter().cloned());
         RunResult {
             model: self.parts.name.clone(),

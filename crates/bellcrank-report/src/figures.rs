@@ -1,11 +1,14 @@
 //! Which figures a study gets.
 
+mod cycle;
 mod designs;
 mod optimization;
 mod sensitivity;
 mod tolerance;
 
 use bellcrank_results::{Column, Findings, StudyResult, file_stems};
+
+pub(crate) use cycle::PROGRAMME;
 
 use crate::findings::{drives, family, finding, owner, strongest};
 use crate::plot::{Axis, Chart, Curve, Hodograph};
@@ -49,6 +52,7 @@ pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
     // A choice of a drive has drawn all its rows already.
     let drawn = matches!(study.findings, Some(Findings::Sizing(_)));
     if study.table.rows() > 1 && !drawn {
+        figures.extend(cycle::figure(study));
         figures.extend(charts(study));
         figures.extend(hodographs(study));
     }

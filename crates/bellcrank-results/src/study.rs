@@ -41,6 +41,8 @@ pub struct StudyResult {
     pub animation: Option<Animation>,
     /// Single numbers beside the rows: name, SI value, unit (e.g. eigenvalues of an equilibrium).
     pub scalars: Vec<(String, f64, crate::Unit)>,
+    /// What its motions move when, of studies over time.
+    pub programme: Option<crate::Programme>,
     /// What happened, of studies in which something can.
     pub events: Option<crate::Events>,
     /// What it found beside its rows: of studies over another study, and modes.

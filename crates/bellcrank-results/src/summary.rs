@@ -2,6 +2,7 @@
 
 mod events;
 mod findings;
+mod programme;
 mod values;
 
 use serde_json::{Map, Value, json};
@@ -9,6 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::{
     Column, Extreme, Failure, Findings, ParameterRow, Provenance, Reaction, Reductions, RunResult, StudyResult, Unit,
 };
+pub use programme::moves;
 pub(crate) use values::{change, rounded};
 use values::{maybe, named, quantity, shown, whole};
 
@@ -25,6 +27,9 @@ pub fn study_summary(study: &StudyResult) -> Value {
         object.extend(series(study));
     } else if !study.scalars.is_empty() {
         object.insert("scalars".to_owned(), scalars(&study.scalars));
+    }
+    if let Some(of) = &study.programme {
+        object.insert("programme".to_owned(), programme::moves(of));
     }
     if let Some(events) = &study.events {
         object.extend(events::keys(events));

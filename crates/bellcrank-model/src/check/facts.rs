@@ -1,14 +1,33 @@
 //! Counting, and what the assembled mechanism says about itself.
 
 use bellcrank_multibody::Freedom;
-use bellcrank_results::Failure;
+use bellcrank_results::{Failure, Programme};
 
 use super::{BodyFact, Check, JointFact, notes};
 use crate::Model;
 use crate::design::{Design, Joint};
-use crate::run::{Namer, failure};
+use crate::run::{Namer, failure, programme};
 
+/// All there is to say before anything runs.
 pub(crate) fn check(model: &Model) -> Check {
+    Check { programmes: programmes(model), ..counted(model) }
+}
+
+/// The programmes of studies, each once.
+fn programmes(model: &Model) -> Vec<(Vec<String>, Programme)> {
+    let mut all: Vec<(Vec<String>, Programme)> = Vec::new();
+    for study in model.study_list() {
+        let Some(found) = programme(model.design(), study) else { continue };
+        match all.iter_mut().find(|(_, known)| *known == found) {
+            Some((names, _)) => names.push(study.name.clone()),
+            None => all.push((vec![study.name.clone()], found)),
+        }
+    }
+    all
+}
+
+/// The same without the programmes of studies, which have to be assembled for them.
+pub(crate) fn counted(model: &Model) -> Check {
     let design = model.design();
     let (freedom, failure) = assembled(model);
     let assembled = failure.is_none();
@@ -33,6 +52,7 @@ pub(crate) fn check(model: &Model) -> Check {
         mobile: freedom.mobile.iter().map(|&c| namer.coordinate(c)).collect(),
         special: freedom.special,
         notes: notes::notes(model, &freedom),
+        programmes: Vec::new(),
         failure,
     }
 }

@@ -1,9 +1,10 @@
 //! A check as text for people and as JSON for programs.
 
-use bellcrank_results::SpaceKind;
+use bellcrank_results::{Move, Programme, SpaceKind, moves};
 use serde_json::{Value, json};
 
 use super::{BodyFact, Check, JointFact};
+use crate::run::shown;
 
 impl Check {
     /// For people.
@@ -23,6 +24,7 @@ impl Check {
                 format!("  {:<16}{}{later}", study.name, study.kind)
             }));
         }
+        self.programmes.iter().for_each(|(studies, of)| lines.extend(programme_lines(studies, of)));
         if let Some(failure) = &self.failure {
             lines.push(String::new());
             lines.push(failure.message.clone());
@@ -104,6 +106,8 @@ impl Check {
             "redundant": { "count": self.redundancies(), "equations": self.redundant },
             "mobile": self.mobile,
             "special_position": self.special,
+            "programmes": self.programmes.iter()
+                .map(|(studies, of)| json!({ "studies": studies, "moves": moves(of) })).collect::<Vec<_>>(),
             "notes": self.notes,
             "failure": self.failure.as_ref().map(|f| json!({ "message": f.message, "hints": f.hints })),
         })
@@ -127,6 +131,32 @@ fn body_line(body: &BodyFact) -> String {
 fn joint_line(joint: &JointFact) -> String {
     let closes = if joint.closes { "  closes a loop" } else { "" };
     format!("  {:<16}{:<14}{}{closes}", joint.name, joint.kind, joint.bodies.join(" - "))
+}
+
+/// The moves of a programme, one a line.
+fn programme_lines(studies: &[String], of: &Programme) -> Vec<String> {
+    let cells: Vec<[String; 4]> = of.moves.iter().map(|one| move_cells(of, one)).collect();
+    let width = |column: usize| cells.iter().map(|cells| cells[column].chars().count()).max().unwrap_or(0);
+    let widths: [usize; 3] = std::array::from_fn(width);
+    let line = |[time, joint, way, name]: &[String; 4]| {
+        format!("  {time:<0$}  {joint:<1$}  {way:<2$}  {name}", widths[0], widths[1], widths[2])
+    };
+    let head = format!("programme of {}", studies.join(", "));
+    std::iter::once(head).chain(cells.iter().map(line)).collect()
+}
+
+fn move_cells(of: &Programme, one: &Move) -> [String; 4] {
+    let time = |si| shown(si, &of.time);
+    let place = |si| shown(si, &one.unit);
+    let until = one.end.map_or(" on".to_owned(), |end| format!(" to {}", time(end)));
+    let way = match one.to {
+        _ if one.holds() => format!("at {}", place(one.from)),
+        Some(to) => format!("{} -> {}", place(one.from), place(to)),
+        None => format!("from {}", place(one.from)),
+    };
+    let segment = one.segment.as_ref().map_or_else(String::new, |segment| format!(".{segment}"));
+    let name = format!("{}{segment} ({})", one.motion, one.profile);
+    [format!("{}{until}", time(one.start)), one.joint.clone(), way, name]
 }
 
 fn body_json(body: &BodyFact) -> Value {

@@ -12,7 +12,7 @@ pub(crate) use csv::{Columns, read_table};
 pub(crate) use jet::Jet;
 pub(crate) use profile::Profile;
 pub(crate) use programme::{EPS, Programme, Track, Turn};
-pub(crate) use running::Running;
+pub(crate) use running::{Running, Stretch};
 pub(crate) use schedule::Schedule;
 pub(crate) use spline::Spline;
 

@@ -93,6 +93,11 @@ impl<'d, T: Scalar> Running<'d, T> {
 }
 
 impl<T: Scalar> Stretch<T> {
+    /// How it goes, in the word of the format; `None` of a hold.
+    pub(crate) fn profile(&self) -> Option<&'static str> {
+        (!self.rests).then(|| self.profile.name())
+    }
+
     fn breaks(&self) -> impl Iterator<Item = f64> + use<T> {
         let (begins, lasts) = (self.begins.value(), self.lasts.value());
         let inner = if self.rests { &[][..] } else { self.profile.breaks() };

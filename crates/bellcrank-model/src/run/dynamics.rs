@@ -26,7 +26,7 @@ pub(super) fn run<'d>(session: &mut Session<'d>, of: &'d Dynamics, progress: &mu
     let laws: Laws<'_> = session.laws(&course);
     let duration = laws.axis(course.rows.saturating_sub(1) as f64);
     if let Some(programme) = laws.programme() {
-        motion::warn_of_motions(session, programme, duration);
+        motion::tell_of_motions(session, programme, duration);
     }
     let plan = plan(session, of, &course, laws.breaks());
     let around = session.surroundings(laws, &course, (&of.stop_when, &of.signals));

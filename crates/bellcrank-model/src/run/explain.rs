@@ -47,9 +47,14 @@ impl<'d> Namer<'d> {
         format!("joint.{}.position{suffix}", self.joint(c.joint))
     }
 
+    /// Unit of its position.
+    pub(crate) fn unit(&self, c: Coordinate) -> Unit {
+        self.design.units.of(Measure::position(self.motion(c)))
+    }
+
     /// A place of the coordinate, with unit.
     pub(crate) fn place(&self, c: Coordinate, value: f64) -> String {
-        shown(value, &self.design.units.of(Measure::position(self.motion(c))))
+        shown(value, &self.unit(c))
     }
 
     /// `time = 0.5 s`.

@@ -10,6 +10,7 @@ pub(crate) mod inputs;
 mod modes;
 mod motion;
 mod notes;
+mod programme;
 mod recorder;
 mod session;
 mod statics;
@@ -27,6 +28,7 @@ pub(crate) use animation::arrows;
 pub(crate) use course::{Assembly, Course, Laws, Path, Targets};
 pub(crate) use explain::{Namer, Places, failure, shown};
 pub(crate) use inputs::{Evaluated, Inputs};
+pub(crate) use programme::programme;
 
 /// Runs a study that gives rows. What goes wrong is in the result.
 pub(crate) fn run(design: &Design, study: &Study, progress: &mut dyn Progress) -> StudyResult {

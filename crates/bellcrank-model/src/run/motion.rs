@@ -2,6 +2,7 @@
 
 use super::End;
 use super::course::{Course, Laws, Path, Targets};
+use super::programme::moves;
 use super::session::Session;
 use crate::design::{Hold, Origin, Over};
 use crate::measure::Measure;
@@ -29,7 +30,7 @@ pub(super) fn run<'d>(
         let last = course.rows.saturating_sub(1) as f64;
         let duration = session.laws(&course).axis(last);
         if let Some(programme) = session.laws(&course).programme() {
-            warn_of_motions(session, programme, duration);
+            tell_of_motions(session, programme, duration);
         }
     } else {
         warn_of_time(session);
@@ -82,8 +83,9 @@ fn warn_of_time(session: &mut Session<'_>) {
     }
 }
 
-/// What the motions do not do as the file may lead one to think.
-pub(super) fn warn_of_motions(session: &mut Session<'_>, programme: &Programme<'_>, duration: f64) {
+/// What moves when, and what the motions do not do as the file may lead one to think.
+pub(super) fn tell_of_motions(session: &mut Session<'_>, programme: &Programme<'_>, duration: f64) {
+    session.result.programme = moves(session.design, programme);
     warn_of_late_motions(session, programme, duration);
     warn_of_short_tables(session, programme, duration);
     warn_of_moved_starts(session, programme);

@@ -151,3 +151,28 @@ step = "0.5 s"
     );
     assert!(told.contains("cycle.toml:") && told.contains("this segment"), "{told}");
 }
+
+#[test]
+fn the_programme_can_be_read() {
+    let model = model("cycle-read", CYCLE);
+    let moves: Vec<String> = run(&model, "cycle")
+        .programme
+        .expect("a programme")
+        .moves
+        .iter()
+        .map(|one| format!("{} {} {:?} {} {:?}", one.motion, one.joint, one.segment, one.start, one.end))
+        .collect();
+    assert_eq!(moves, ["out rail None 0 Some(2.0)", "lift hinge None 2 Some(3.0)", "back rail None 3.5 Some(5.5)"]);
+    let text = model.check().text();
+    let listed = "\
+programme of cycle
+  0 s to 2 s      rail   100 mm -> 500 mm  out (cycloidal)
+  2 s to 3 s      hinge  0 deg -> 60 deg   lift (poly5)
+  3.5 s to 5.5 s  rail   500 mm -> 100 mm  back (cycloidal)
+programme of slow
+  0 s to 2 s    rail   100 mm -> 500 mm  out (cycloidal)
+  2 s to 3.5 s  hinge  0 deg -> 60 deg   lift (poly5)
+  4 s to 6 s    rail   500 mm -> 100 mm  back (cycloidal)
+";
+    assert!(text.contains(listed), "{text}");
+}

@@ -7,6 +7,7 @@ mod glance;
 mod kinds;
 mod model;
 mod page;
+mod programme;
 mod provenance;
 mod reactions;
 mod rows;

@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, data, events, glance, kinds, model, reactions, sentence};
+use super::{Escaped, data, events, glance, kinds, model, programme, reactions, sentence};
 use crate::findings::{self, Check};
 use crate::{FigureFile, number, told};
 
@@ -31,6 +31,7 @@ pub(crate) fn push_section(
     page.push_str(&model::changed(&study.changed, &run.parameters));
     page.push_str(&kinds::findings(study, place.index, figures));
     page.push_str(&glance::glance(study));
+    page.push_str(&programme::section(study, place.index, figures));
     page.push_str(&mounts(run, study, place.index));
     push_figures(page, figures);
     page.push_str(&events::section(study));

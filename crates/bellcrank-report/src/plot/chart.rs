@@ -17,9 +17,9 @@ pub(crate) struct Chart<'a> {
     pub(crate) curves: Vec<Curve<'a>>,
 }
 
-const WIDTH: f64 = 720.0;
-const LEFT: f64 = 78.0;
-const RIGHT: f64 = 18.0;
+pub(super) const WIDTH: f64 = 720.0;
+pub(super) const LEFT: f64 = 78.0;
+pub(super) const RIGHT: f64 = 18.0;
 const TOP: f64 = 38.0;
 const PLOT_HEIGHT: f64 = 290.0;
 /// Between the frame and the key: tick texts and the axis label.

@@ -7,9 +7,14 @@ const COLOURS: [&str; 8] = ["#0b5fa5", "#c4510a", "#12805c", "#8a2b78", "#000000
 /// Dash patterns that tell the lines apart in black and white.
 const DASHES: [&str; 8] = ["", "7 3", "2 2.5", "9 3 2 3", "13 4", "5 2 1.5 2 1.5 2", "1 3", "16 3 3 3"];
 
+/// The colour of the line of that index.
+pub(crate) fn color(index: usize) -> &'static str {
+    COLOURS[index % COLOURS.len()]
+}
+
 /// The stroke of the line of that index.
 pub(crate) fn stroke(index: usize) -> String {
-    let (colour, dash) = (COLOURS[index % COLOURS.len()], DASHES[index % DASHES.len()]);
+    let (colour, dash) = (color(index), DASHES[index % DASHES.len()]);
     let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
     format!("stroke=\"{colour}\" stroke-width=\"1.6\"{dash}")
 }

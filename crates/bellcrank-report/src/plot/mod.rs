@@ -10,6 +10,7 @@ use crate::number;
 mod bars;
 mod chart;
 mod curve;
+mod cycle;
 mod frame;
 mod histogram;
 mod hodograph;
@@ -24,6 +25,7 @@ mod ticks;
 
 pub(crate) use bars::{Bar, Bars};
 pub(crate) use chart::Chart;
+pub(crate) use cycle::Cycle;
 pub(crate) use histogram::{Histogram, Mark, MarkStyle};
 pub(crate) use hodograph::Hodograph;
 pub(crate) use parallel::{Parallel, Ruler};

@@ -44,6 +44,25 @@ fn the_page_tells_them() {
 }
 
 #[test]
+fn the_cycle_chart_has_a_lane_for_each_axis() {
+    let run = forward::run();
+    let page = render_html(&run);
+    let fall = between(&page, "id=\"study-fall\"", "</section>");
+    let chart = between(fall, "data-cycle=\"0\"", "</figure>");
+    // The frame begins where that of the other charts does, and ends with the rows.
+    assert!(chart.contains("data-x0=\"78\" data-x1=\"702\" data-t0=\"0\" data-t1=\"0.6\""), "{chart}");
+    for text in [">lift.<", ">slide<", ">spindle<", "+80 mm, poly5", ">lift&lt;up&gt;<", "from 0.5 rad", "holds 80 mm"]
+    {
+        assert!(chart.contains(text), "{text} in {chart}");
+    }
+    // Three bars beside the white ground, the last two to the end of the study; a hold is a line.
+    assert_eq!(chart.matches("<rect").count(), 4);
+    assert_eq!(chart.matches("stroke-dasharray").count(), 1);
+    assert!(fall.contains("<summary>Moves in the order of time</summary>") && fall.contains("<td>velocity</td>"));
+    assert!(!between(&page, "id=\"study-ring\"", "</section>").contains("Programme"));
+}
+
+#[test]
 fn names_are_no_markup() {
     let mut run = forward::run();
     let evil = "</script><img src=x onerror=alert(1)>";

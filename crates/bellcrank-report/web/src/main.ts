@@ -5,6 +5,7 @@ import "./style.css";
 import { Cursor } from "./cursor";
 import { Curves } from "./curves/curves";
 import { type Drawing, readReport, type Study } from "./data";
+import { followCycle } from "./cycle";
 import { Explorer } from "./designs/explorer";
 import { followHodographs } from "./hodograph";
 import { Stage } from "./stage";
@@ -20,6 +21,7 @@ function liven(drawing: Drawing, study: Study, index: number): void {
   const curves = document.querySelector<HTMLElement>(`[data-curves="${index}"]`);
   if (curves) whenNear(curves, () => new Curves(curves, study, cursor));
   followHodographs(index, study, cursor);
+  followCycle(index, study, cursor);
 }
 
 /** Charts are made when the reader comes near them: a report of ten studies opens at once. */

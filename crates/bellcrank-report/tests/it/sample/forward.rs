@@ -1,13 +1,45 @@
 //! A mass that falls on a hard stop, and how a double pendulum rings.
 
 use bellcrank_results::{
-    Ended, Event, EventKind, Events, Findings, ModeRow, Modes, RunResult, ShapeRow, StudyResult, Table, Unit,
+    Ended, Event, EventKind, Events, Findings, ModeRow, Modes, Move, Programme, RunResult, ShapeRow, StudyResult,
+    Table, Unit,
 };
 
 use super::{column, lift, unit};
 
 fn event(time: f64, kind: EventKind, side: &'static str, numbers: Vec<(&'static str, f64, Unit)>) -> Event {
     Event { time, kind, name: "floor".to_owned(), joint: "slide".to_owned(), side, numbers }
+}
+
+/// A slide that is lifted, held and let down, and a spindle that turns on.
+fn lifted() -> Programme {
+    let one = |segment: &str, profile, [start, end]: [f64; 2], [from, to]: [f64; 2]| Move {
+        motion: "lift<up>".to_owned(),
+        joint: "lift.slide".to_owned(),
+        segment: Some(segment.to_owned()),
+        profile,
+        start,
+        end: Some(end),
+        from,
+        to: Some(to),
+        unit: unit("mm"),
+    };
+    let spin = Move {
+        motion: "spin".to_owned(),
+        joint: "spindle".to_owned(),
+        segment: None,
+        end: None,
+        to: None,
+        unit: Unit::new("rad", 1.0),
+        ..one("", "velocity", [0.2, 0.0], [0.5, 0.0])
+    };
+    let moves = vec![
+        one("up", "poly5", [0.0, 0.2], [0.0, 0.08]),
+        spin,
+        one("2", "hold", [0.2, 0.3], [0.08, 0.08]),
+        one("down", "cycloidal", [0.3, 0.9], [0.08, 0.02]),
+    ];
+    Programme { time: unit("s"), moves }
 }
 
 /// Half of the speed is left by each impact.
@@ -36,6 +68,7 @@ fn falling() -> StudyResult {
         kind: "dynamics".to_owned(),
         axis: vec!["time".to_owned()],
         table: Table { columns: vec![column("time", "s", times), column("joint.slide.position", "mm", heights)] },
+        programme: Some(lifted()),
         events: Some(events),
         scalars: vec![("energy.drift".to_owned(), 2.5e-9, unit("J"))],
         effort: vec![("steps".to_owned(), 120.0)],
