@@ -61,14 +61,23 @@ pub(crate) fn drives(study: &StudyResult) -> Vec<(&str, Finding<'_>)> {
     family(study, "drive", "force")
 }
 
-/// Positions of the driven joints and the swept ones: the strokes.
+/// Joints of a machine let go whose ranges are shown though nothing drives them.
+const MOST_FREE: usize = 8;
+
+/// Positions of the driven joints and the swept ones: the strokes. Of a machine let go also those of its first free
+/// joints: where they get to is news.
 pub(crate) fn strokes(study: &StudyResult) -> Vec<Finding<'_>> {
     let driven: Vec<&str> = drives(study).into_iter().map(|(joint, _)| joint).collect();
-    let wanted = |(joint, finding): (&str, Finding<'_>)| {
-        let moves = driven.contains(&joint) || study.axis.contains(&finding.column.name);
+    let mut free = if study.events.is_some() { MOST_FREE } else { 0 };
+    let mut wanted = |(joint, finding): (&str, Finding<'_>)| {
+        let mut moves = driven.contains(&joint) || study.axis.contains(&finding.column.name);
+        if !moves && free > 0 && finding.reductions.range > 0.0 {
+            free -= 1;
+            moves = true;
+        }
         moves.then_some(finding.column.name.clone())
     };
-    let names: Vec<String> = family(study, "joint", "position").into_iter().filter_map(wanted).collect();
+    let names: Vec<String> = family(study, "joint", "position").into_iter().filter_map(&mut wanted).collect();
     names.iter().filter_map(|name| finding(study, name)).collect()
 }
 

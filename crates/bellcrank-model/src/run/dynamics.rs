@@ -28,9 +28,13 @@ pub(super) fn run<'d>(session: &mut Session<'d>, of: &'d Dynamics, progress: &mu
     if let Some(programme) = laws.programme() {
         motion::tell_of_motions(session, programme, duration);
     }
-    let plan = plan(session, of, &course, laws.breaks());
+    // No step passes over the end either, nor over what comes behind it.
+    let mut breaks = laws.breaks();
+    breaks.retain(|time| *time > 0.0 && *time < duration);
+    breaks.push(duration);
+    let plan = plan(session, of, &course, breaks);
     let around = session.surroundings(laws, &course, (&of.stop_when, &of.signals));
-    let mut walk = Walk { session, of, around, rows: course.rows, duration, progress };
+    let mut walk = Walk { session, of, around, rows: course.rows, duration, pace: Pace::default(), progress };
     let outcome = walk.all(&plan);
     session.tell_effort();
     if of.motions.is_empty() && energy::conserves(session.blueprint()) {
@@ -86,7 +90,34 @@ struct Walk<'s, 'd> {
     around: Around<'d>,
     rows: usize,
     duration: f64,
+    pace: Pace,
     progress: &'s mut dyn Progress,
+}
+
+/// How fast it comes on between rows.
+#[derive(Default)]
+struct Pace {
+    /// Steps and time when it was looked at last.
+    steps: usize,
+    time: f64,
+}
+
+/// Steps over which the pace is judged.
+const JUDGED: usize = 5000;
+/// A study that would take more steps than this does not come to an end.
+const ENDLESS: f64 = 1e11;
+
+impl Pace {
+    /// The length of the steps when they have become hopelessly small: then they hold on to rounding.
+    fn hopeless(&mut self, steps: usize, time: f64, duration: f64) -> Option<f64> {
+        let taken = steps.saturating_sub(self.steps);
+        if taken < JUDGED {
+            return None;
+        }
+        let step = (time - self.time) / taken as f64;
+        *self = Pace { steps, time };
+        (step < duration / ENDLESS).then_some(step)
+    }
 }
 
 impl Walk<'_, '_> {
@@ -116,13 +147,21 @@ impl Walk<'_, '_> {
             self.watch(row)?;
             match self.session.advance(until, &mut self.around)? {
                 Advance::Reached => return Ok(false),
-                Advance::Working => {}
+                Advance::Working => self.refuse_to_stall()?,
                 Advance::Event(event) if self.ends(&event) => {
                     self.end(&event);
                     return Ok(true);
                 }
                 Advance::Event(event) => self.tell(&event),
             }
+        }
+    }
+
+    fn refuse_to_stall(&mut self) -> Result<(), End> {
+        let (steps, time) = (self.session.steps(), self.session.readings().time());
+        match self.pace.hopeless(steps, time, self.duration) {
+            Some(step) => Err(self.session.stalled(step, &self.around)),
+            None => Ok(()),
         }
     }
 

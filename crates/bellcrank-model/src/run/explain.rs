@@ -181,8 +181,8 @@ fn explain(namer: &Namer<'_>, error: &MechanismError) -> (String, Vec<String>) {
                 namer.coordinate(*coordinate)
             ),
             vec![
-                "look for a force that grows without bound, a singular position, or a joint that jams".to_owned(),
-                "a looser `tolerance` may pass over it".to_owned(),
+                "look for a motion that the machine cannot follow, a force that grows without bound, or a joint that jams"
+                    .to_owned(),
             ],
         ),
         MechanismError::Blocked { force, time } => {

@@ -133,7 +133,9 @@ impl Watch {
             if value.is_finite() {
                 *since = since.max(value.abs());
             } else {
-                self.not_finite.get_or_insert(Suspect { input, value: *value, time });
+                // Steps that fail are tried shorter: the earliest is nearest to the cause.
+                let earlier = self.not_finite.is_none_or(|known| time < known.time);
+                self.not_finite = if earlier { Some(Suspect { input, value: *value, time }) } else { self.not_finite };
             }
         }
     }

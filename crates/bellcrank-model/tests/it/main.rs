@@ -3,6 +3,7 @@
 mod asks;
 mod cases;
 mod designs;
+mod dynamics;
 mod files;
 mod format;
 mod improve;

@@ -1,12 +1,13 @@
 //! A session whose machine is let go, or rung.
 
 use bellcrank_multibody::{
-    Advance, Begun, Blueprint, Coordinate, Dynamics, Linearized, MechanismError, Readings, SolverEffort,
+    Advance, Begun, Blueprint, Coordinate, Dynamics, Linearized, MechanismError, MechanismError as E, Readings,
+    SolverEffort,
 };
 use bellcrank_results::Failure;
 
 use super::Session;
-use crate::design::{ForceShape, Load, StopWhen};
+use crate::design::{ForceShape, Joint, Load, StopWhen};
 use crate::run::End;
 use crate::run::course::{Course, Laws};
 use crate::run::explain::shown;
@@ -89,12 +90,33 @@ impl<'d> Session<'d> {
         ];
     }
 
+    /// Steps accepted and rejected so far.
+    pub(in crate::run) fn steps(&self) -> usize {
+        let of = self.engine.solver_effort();
+        of.steps + of.rejected
+    }
+
+    /// The failure of steps that have become too small to come on.
+    pub(in crate::run) fn stalled(&self, step: f64, around: &Around<'d>) -> End {
+        let time = self.engine.time();
+        let design = self.design;
+        let of = |(joint, of): (usize, &Joint)| {
+            let joint = bellcrank_multibody::JointId(joint);
+            (0..of.coordinates(design.planar).len()).map(move |index| Coordinate { joint, index })
+        };
+        let all = design.joints.iter().enumerate().flat_map(of);
+        let change = |c: &Coordinate| self.engine.coordinate(*c).acceleration.abs();
+        let fastest = all.max_by(|a, b| change(a).total_cmp(&change(b)));
+        let coordinate = fastest.unwrap_or(Coordinate { joint: bellcrank_multibody::JointId(0), index: 0 });
+        self.blamed(&MechanismError::StepCollapse { time, step, coordinate }, time, around)
+    }
+
     /// The failure of a step, with the force value it is due to where one is known.
     fn blamed(&self, error: &MechanismError, time: f64, around: &Around<'d>) -> End {
-        let tells_time = matches!(error, MechanismError::StepCollapse { .. } | MechanismError::EventStorm { .. });
+        let tells_time = matches!(error, E::StepCollapse { .. } | E::EventStorm { .. } | E::Blocked { .. });
         let place = if tells_time || time == 0.0 { String::new() } else { self.namer().time(time) };
         let failure = self.failed(error, &place);
-        let numeric = matches!(error, MechanismError::StepCollapse { .. } | MechanismError::NotFinite(_));
+        let numeric = matches!(error, E::StepCollapse { .. } | E::NotFinite(_));
         let Some(suspect) = around.suspect(time).filter(|_| numeric) else { return failure };
         self.force_failed(suspect).map_or(failure, Box::new)
     }
