@@ -178,6 +178,10 @@ impl<S: Space<T = f64>> Machine<S> {
     pub(crate) fn answer_forces(&mut self, f: &mut Flight<S>) {
         kinematics::accelerations(&self.mech, &self.v, Some(&self.a), &mut self.x);
         dynamics::own_wrenches(&self.mech, &mut self.x);
+        let null = f.saddle.self_stresses();
+        if !null.is_empty() {
+            self.choose_least_norm(&f.saddle.prescribed, &null);
+        }
         self.read_flight_drives(f);
         self.gather_with_loops(&f.saddle.prescribed, Demands::All);
         for (out, e) in self.outputs.iter_mut().zip(&self.friction) {

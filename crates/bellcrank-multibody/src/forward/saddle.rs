@@ -8,10 +8,11 @@
 
 use crate::mass_matrix::MassMatrix;
 use crate::mechanism::{Mechanism, Source};
-use crate::solver::{Entry, OUT, Prescribed, Rows, source_entries};
+use crate::solver::{Entry, LARGE, OUT, Prescribed, RANK, Rows, source_entries};
 use crate::topology::Motion;
 use crate::workspace::NodeState;
 use bellcrank_math::Space;
+use bellcrank_math::linalg::dense::svd;
 use bellcrank_math::linalg::{BandLu, band_ordering};
 
 /// Below this many unknowns a dense factorization is the fastest band.
@@ -391,6 +392,21 @@ impl Saddle {
         let mut a = vec![vec![0.0; self.columns.len()]; self.rows];
         self.jacobian.iter().for_each(|&(r, c, value)| a[r][c] += value);
         a
+    }
+
+    /// Multipliers that move nothing, one number a row: a basis of the null space of Jᵀ.
+    pub(crate) fn self_stresses(&self) -> Vec<Vec<f64>> {
+        if !self.regularized || self.rows > LARGE {
+            return Vec::new();
+        }
+        // A square left basis: as many columns as rows at least.
+        let wide = self.columns.len().max(self.rows);
+        let mut a = self.dense_jacobian();
+        a.iter_mut().for_each(|row| row.resize(wide, 0.0));
+        let Some(svd) = svd(&a, wide) else { return Vec::new() };
+        let top = svd.values.first().copied().unwrap_or(0.0);
+        let null = svd.values.iter().zip(&svd.left).filter(|(s, _)| **s <= RANK * top);
+        null.map(|(_, left)| left.iter().zip(&self.row_scale).map(|(l, d)| l * d).collect()).collect()
     }
 
     /// The scaled mass matrix over unknowns, dense.

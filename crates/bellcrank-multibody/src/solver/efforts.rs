@@ -98,7 +98,8 @@ impl<S: Space<T = f64>> Machine<S> {
         let only_drives = self.only_drives && !self.has_friction;
         // Self-stress changes no drive: there are as many drives as freedoms.
         if system.nullity() > 0 && !only_drives {
-            self.choose_least_norm(system);
+            let null = system.null_vectors();
+            self.choose_least_norm(&system.prescribed, &null);
         }
         self.read_drives(system);
         if only_drives {

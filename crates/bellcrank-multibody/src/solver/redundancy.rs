@@ -7,7 +7,7 @@
 
 use super::balance::Demands;
 use super::machine::{Machine, Prepared};
-use super::system::LinearSystem;
+use super::system::Prescribed;
 use bellcrank_math::{Space, linalg::dense};
 
 /// A component changes with self-stress when it exceeds this part of the largest change.
@@ -15,36 +15,36 @@ const CHANGES: f64 = 1e-8;
 
 impl<S: Space<T = f64>> Machine<S> {
     /// Adds self-stress to λ so that all joint reactions together are least.
-    pub(crate) fn choose_least_norm(&mut self, system: &LinearSystem) {
-        let nullity = system.nullity();
+    pub(crate) fn choose_least_norm(&mut self, prescribed: &[Prescribed], null: &[Vec<f64>]) {
         let particular = self.lambda.clone();
-        self.gather_with_loops(&system.prescribed, Demands::All);
+        self.gather_with_loops(prescribed, Demands::All);
         let base = self.weighted_wrenches();
-        let stress = self.self_stresses(system);
+        let stress = self.self_stresses(prescribed, null);
         let columns: Vec<&Vec<f64>> = stress.iter().map(|s| &s.1).collect();
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let normal: Vec<Vec<f64>> = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
         let rhs: Vec<f64> = columns.iter().map(|a| -product(a, &base)).collect();
         self.lambda = particular;
         if let Some(z) = dense::solve(&normal, &rhs) {
-            for (k, z) in z.iter().enumerate().take(nullity) {
+            for (k, z) in z.iter().enumerate() {
                 self.lambda.iter_mut().zip(&stress[k].0).for_each(|(l, n)| *l += z * n);
             }
         }
     }
 
     /// Each state of self-stress: its multipliers and the joint wrenches it makes (weighted).
-    fn self_stresses(&mut self, system: &LinearSystem) -> Vec<(Vec<f64>, Vec<f64>)> {
+    fn self_stresses(&mut self, prescribed: &[Prescribed], null: &[Vec<f64>]) -> Vec<(Vec<f64>, Vec<f64>)> {
         let own = self.wrench.clone();
         let saved = (self.friction.clone(), self.lambda.clone());
         let outputs = self.outputs.clone();
         self.friction.fill(0.0);
         self.outputs.iter_mut().for_each(|o| o.effort = 0.0);
-        let stresses = (0..system.nullity())
-            .map(|i| {
+        let stresses = null
+            .iter()
+            .map(|vector| {
                 self.lambda.fill(0.0);
-                system.null_vector(i, &mut self.lambda);
-                self.gather_with_loops(&system.prescribed, Demands::None);
+                self.lambda[..vector.len()].copy_from_slice(vector);
+                self.gather_with_loops(prescribed, Demands::None);
                 (self.lambda.clone(), self.weighted_wrenches())
             })
             .collect();
@@ -66,13 +66,23 @@ impl<S: Space<T = f64>> Machine<S> {
 
     pub(crate) fn unique_components(&mut self) -> Vec<[bool; 6]> {
         let all = vec![[true; 6]; self.wrench.len()];
-        let Some(mut prepared) = self.prepared.take() else { return all };
-        let Prepared { position, rate, effort, .. } = &mut *prepared;
-        let system = effort.as_mut().or(rate.as_mut()).unwrap_or(position);
-        self.rows.evaluate(&self.mech, &self.q, &self.x);
-        system.factor(&self.mech, &self.rows, &self.x);
-        let stresses = if system.nullity() > 0 { self.self_stresses(system) } else { Vec::new() };
-        self.prepared = Some(prepared);
+        let stresses = match (self.flight.take(), self.prepared.take()) {
+            (Some(flight), prepared) => {
+                let stresses = self.self_stresses(&flight.saddle.prescribed, &flight.saddle.self_stresses());
+                (self.flight, self.prepared) = (Some(flight), prepared);
+                stresses
+            }
+            (None, Some(mut prepared)) => {
+                let Prepared { position, rate, effort, .. } = &mut *prepared;
+                let system = effort.as_mut().or(rate.as_mut()).unwrap_or(position);
+                self.rows.evaluate(&self.mech, &self.q, &self.x);
+                system.factor(&self.mech, &self.rows, &self.x);
+                let stresses = self.self_stresses(&system.prescribed, &system.null_vectors());
+                self.prepared = Some(prepared);
+                stresses
+            }
+            (None, None) => return all,
+        };
         let mut unique = all;
         for (_, change) in &stresses {
             let top = change.iter().fold(0.0, |m: f64, x| m.max(x.abs()));

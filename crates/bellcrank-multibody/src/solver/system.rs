@@ -235,11 +235,16 @@ impl LinearSystem {
             Factor::Qr(qr) => self.rows - qr.rank(),
         }
     }
-    /// Vector `i` of an orthonormal basis of that null space.
-    pub(crate) fn null_vector(&self, i: usize, lambda: &mut [f64]) {
-        if let Factor::Qr(qr) = &self.factor {
-            qr.null_transposed(i, &mut lambda[..self.rows]);
-        }
+    /// An orthonormal basis of that null space, one number a row.
+    pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
+        let vector = |i: usize| {
+            let mut lambda = vec![0.0; self.rows];
+            if let Factor::Qr(qr) = &self.factor {
+                qr.null_transposed(i, &mut lambda);
+            }
+            lambda
+        };
+        (0..self.nullity()).map(vector).collect()
     }
 
     /// `J u` over the prescribed columns (the others of `u` do not count).
