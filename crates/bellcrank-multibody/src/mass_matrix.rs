@@ -3,7 +3,7 @@
 //! World axes, references at the nodes' origins, as everywhere in this crate. Only the entries between a motion and
 //! those it hangs on are there: between branches M is zero.
 
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Inertia, Mechanism};
 use crate::topology::Motion;
 use crate::workspace::NodeState;
 use bellcrank_math::{Components, Real, Space};
@@ -58,9 +58,17 @@ impl<S: Space> MassMatrix<S> {
         Self { composite: vec![Composite::nothing(); mech.nodes.len()], entries, values }
     }
 
+    /// No entries: of a machine whose masses are asked for otherwise.
+    pub(crate) fn empty() -> Self {
+        Self { composite: Vec::new(), entries: Vec::new(), values: Vec::new() }
+    }
+
     /// M at the poses of `x`.
     #[inline]
     pub(crate) fn evaluate(&mut self, mech: &Mechanism<S>, x: &[NodeState<S>]) {
+        if self.composite.is_empty() {
+            return;
+        }
         self.compose(mech, x);
         let mut k = 0;
         for (i, node) in mech.nodes.iter().enumerate().skip(1) {
@@ -137,9 +145,20 @@ impl<S: Space> MassMatrix<S> {
     }
 }
 
+/// Force and moment about a node's origin that accelerate its own mass by (`s_v`, `s_w`) from rest.
+pub(crate) fn push_of<S: Space>(
+    body: &Inertia<S>,
+    x: &NodeState<S>,
+    (s_v, s_w): (S::Vector, S::Angular),
+) -> (S::Vector, S::Angular) {
+    let r = S::rotate(&x.R, body.center);
+    let f = (s_v + S::cross(s_w, r)) * body.mass;
+    (f, S::apply_inertia(&body.about_center, &x.R, s_w) + S::moment(r, f))
+}
+
 /// The axis of component `axis` of a ball: one before its motion.
 #[inline(always)]
-fn ball_axis<S: Space>(x: &NodeState<S>, axis: usize) -> S::Angular {
+pub(crate) fn ball_axis<S: Space>(x: &NodeState<S>, axis: usize) -> S::Angular {
     let mut e = [S::T::zero(); 3];
     e[axis] = S::T::one();
     S::rotate_angular(&x.base, S::angular(&e))

@@ -33,18 +33,26 @@ impl<S: Space<T = f64>> Machine<S> {
 
     /// The same where positions, velocities and applied forces are known.
     pub(crate) fn accelerate_here(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
-        f.mass.evaluate(&self.mech, &self.x);
-        f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
-        f.effort.factorizations += 1;
-        if !f.saddle.factor() {
-            return Err(self.missing_mass(f));
-        }
+        self.factor_masses(f)?;
         self.fill_gamma(f);
         self.solve_accelerations(f);
         if self.has_friction {
             self.settle_slip(f)?;
         }
         Ok(())
+    }
+
+    /// Masses and constraints of the present position, factored.
+    pub(crate) fn factor_masses(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
+        f.effort.factorizations += 1;
+        let regular = if let Some(tree) = &mut f.tree {
+            tree.factor(&self.mech, &self.x)
+        } else {
+            f.mass.evaluate(&self.mech, &self.x);
+            f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
+            f.saddle.factor()
+        };
+        if regular { Ok(()) } else { Err(self.missing_mass(f)) }
     }
 
     /// Positions and velocities of driven and locked tree coordinates, and the targets of all.
@@ -110,6 +118,10 @@ impl<S: Space<T = f64>> Machine<S> {
         self.tau.iter_mut().zip(&self.efforts).for_each(|(t, e)| *t -= e);
         self.subtract_tree_friction();
         f.load.iter_mut().zip(&self.tau).for_each(|(l, t)| *l = -t);
+        if let Some(tree) = &mut f.tree {
+            tree.solve(&self.mech, &self.x, &f.load, &mut self.a);
+            return;
+        }
         f.saddle.solve(&f.load, &f.gamma, &mut self.a, &mut f.mu);
         self.lambda.iter_mut().zip(&f.mu).for_each(|(l, m)| *l = -m);
     }
@@ -212,7 +224,8 @@ impl<S: Space<T = f64>> Machine<S> {
     }
 
     /// Coordinates that move without mass.
-    pub(crate) fn missing_mass(&mut self, f: &Flight<S>) -> MechanismError {
+    pub(crate) fn missing_mass(&mut self, f: &mut Flight<S>) -> MechanismError {
+        self.use_masses(f);
         let (masses, jacobian) = (f.saddle.dense_masses(), f.saddle.dense_jacobian());
         let n = f.saddle.columns.len();
         let mut motion = vec![0.0; self.mech.nv];

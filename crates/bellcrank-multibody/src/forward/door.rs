@@ -11,8 +11,8 @@ use crate::{Coordinate, ForceId, MechanismError, Reading, Readings, Seeded};
 pub struct Dynamics {
     /// Coordinates whose motion is given by [`Surroundings::drives`]; their efforts are found. The rest is free.
     pub driven: Vec<Coordinate>,
-    /// Velocities at time 0, SI. Those of other free coordinates are as close to zero as constraints allow (least
-    /// kinetic energy of the difference).
+    /// Velocities at time 0, SI. Those of the other coordinates of the tree are as small as constraints and drives
+    /// allow (least squares, rad/s and machine sizes a second).
     pub velocities: Vec<(Coordinate, f64)>,
     /// Local error of a step that is put up with: relative to positions and velocities, and absolute with 1 rad or
     /// the machine's size as unit.

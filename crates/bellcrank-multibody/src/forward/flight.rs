@@ -1,5 +1,6 @@
 //! A machine that was let go: what is prescribed, what is locked, and where the integrator stands.
 
+use super::articulated::Articulated;
 use super::door::{Dynamics, Event, Mode, SolverEffort};
 use super::implicit::Alpha;
 use super::locks::Act;
@@ -28,6 +29,8 @@ pub(crate) struct Flight<S: Space<T = f64>> {
     pub(crate) dynamics: Dynamics,
     pub(crate) mass: MassMatrix<S>,
     pub(crate) saddle: Saddle,
+    /// Takes the place of `mass` and `saddle` in long trees that nothing constrains.
+    pub(crate) tree: Option<Articulated>,
     /// Equations depend on each other.
     pub(crate) redundant: bool,
     /// Driven coordinates, and their motion at the present time.

@@ -109,6 +109,7 @@ impl<S: Space<T = f64>> Machine<S> {
         around: &mut dyn Surroundings,
     ) -> Result<(), MechanismError> {
         let weights = Weights::of(f.dynamics.method);
+        self.use_masses(f);
         let anew = f.step.stale;
         f.step.go_on();
         self.freshen(f, around)?;

@@ -1,10 +1,12 @@
 //! Forward dynamics: what forces make of a machine in time.
 //!
 //! `door` is what others see, `machine` the way from output to output. `saddle` solves masses and constraints together,
-//! `acceleration` and `project` use it; `start` makes the beginning consistent. Time is stepped by `explicit` or
+//! (`articulated` does for a long tree without loops),
+//! `acceleration` and `project` use them; `start` makes the beginning consistent. Time is stepped by `explicit` or
 //! `implicit` (by the tangents of `stiffness`); `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
 
 mod acceleration;
+mod articulated;
 mod door;
 mod dop853;
 mod explicit;

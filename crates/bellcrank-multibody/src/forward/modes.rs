@@ -55,6 +55,7 @@ impl<S: Space<T = f64>> Machine<S> {
         let dynamics = Dynamics { driven: driven.to_vec(), ..Dynamics::free() };
         let mut f = self.new_flight(&dynamics, true);
         self.rebuild(&mut f);
+        self.use_masses(&mut f);
         self.friction.fill(0.0);
         self.v.fill(0.0);
         self.time = time;

@@ -17,6 +17,10 @@ impl<S: Space<T = f64>> Machine<S> {
     /// Closes the loops at the present position. The sum of the largest corrections is returned (m, rad), or `None`
     /// where the loops do not close.
     pub(crate) fn project_positions(&mut self, f: &mut Flight<S>) -> Option<f64> {
+        if f.saddle.rows == 0 {
+            self.update_positions();
+            return Some(0.0);
+        }
         f.effort.projections += 1;
         let size = self.mech.size.max(1e-9);
         let (mut moved, mut before) = (0.0_f64, f64::INFINITY);
@@ -64,6 +68,9 @@ impl<S: Space<T = f64>> Machine<S> {
     /// Velocities that keep the loops closed and the drives at their rates, by the factors at hand; poses and rows
     /// must be those of the present position.
     pub(crate) fn project_velocities(&mut self, f: &mut Flight<S>, times: usize) {
+        if f.saddle.rows == 0 {
+            return;
+        }
         self.rows.evaluate(&self.mech, &self.q, &self.x);
         f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
         for _ in 0..times {

@@ -223,6 +223,13 @@ impl Saddle {
         }
     }
 
+    /// Every unknown weighs the same: the solution is the shortest one.
+    pub(crate) fn take_unit_masses(&mut self) {
+        self.redundant = true;
+        self.masses.clear();
+        self.masses.extend((0..self.columns.len()).map(|i| (i, i, 1.0)));
+    }
+
     /// Factors what was filled in. `false` where even the regularized system is singular: a mass is missing.
     #[inline]
     pub(crate) fn factor(&mut self) -> bool {

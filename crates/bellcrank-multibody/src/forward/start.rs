@@ -1,5 +1,6 @@
 //! Consistent beginnings: velocities that constraints and drives allow, then accelerations and multipliers.
 
+use super::articulated::Articulated;
 use super::door::{Begun, Dynamics, Method, SolverEffort, Surroundings};
 use super::flight::{Flight, Storm};
 use super::implicit::Alpha;
@@ -14,6 +15,8 @@ use crate::solver::{LARGE, Machine, RANK};
 use crate::{Coordinate, MechanismError, Reading, Redundancy, kinematics};
 use bellcrank_math::{Space, linalg::dense};
 
+/// Beyond so many coordinates a tree is solved body by body.
+const LONG: usize = 24;
 /// Given velocities may miss by this much (relative, and absolute in machine sizes or rad a second).
 const MISSED: f64 = 1e-8;
 
@@ -49,7 +52,8 @@ impl<S: Space<T = f64>> Machine<S> {
 
     pub(crate) fn new_flight(&mut self, dynamics: &Dynamics, redundant: bool) -> Flight<S> {
         let driven: Vec<Source> = dynamics.driven.iter().filter_map(|c| self.mech.source(*c)).collect();
-        let mass = MassMatrix::new(&self.mech);
+        let tree = self.long_tree(&driven);
+        let mass = if tree.is_some() { MassMatrix::empty() } else { MassMatrix::new(&self.mech) };
         let saddle = Saddle::new(&self.mech, &self.rows, &mass, &driven, redundant);
         let movable = self.movable_elements(&dynamics.driven);
         Flight {
@@ -74,8 +78,35 @@ impl<S: Space<T = f64>> Machine<S> {
             dynamics: dynamics.clone(),
             mass,
             saddle,
+            tree,
             redundant,
             driven,
+        }
+    }
+
+    /// Articulated bodies where nothing constrains a long tree, now or at an event.
+    fn long_tree(&self, driven: &[Source]) -> Option<Articulated> {
+        let locks = self.mech.elements.iter().any(|e| source_of(e).is_some());
+        let measured = driven.iter().any(|s| matches!(s, Source::Measured { .. }));
+        if self.mech.nv <= LONG || self.mech.rows() > 0 || locks || measured {
+            return None;
+        }
+        let prescribed: Vec<usize> = driven.iter().filter_map(|s| self.component_of(*s)).collect();
+        Some(Articulated::new(&self.mech, |v| prescribed.contains(&v)))
+    }
+
+    /// Masses as a matrix from now on.
+    pub(crate) fn use_masses(&mut self, f: &mut Flight<S>) {
+        if f.tree.take().is_some() {
+            f.mass = MassMatrix::new(&self.mech);
+            self.rebuild(f);
+        }
+    }
+
+    fn component_of(&self, source: Source) -> Option<usize> {
+        match source {
+            Source::Node(n) => Some(self.mech.nodes[n].v),
+            Source::Measured { .. } => None,
         }
     }
 
@@ -135,9 +166,13 @@ impl<S: Space<T = f64>> Machine<S> {
         self.take_drives(f, around)?;
         let given: Vec<(Source, f64)> =
             f.dynamics.velocities.iter().filter_map(|&(c, v)| Some((self.mech.source(c)?, v))).collect();
-        self.refactor(f)?;
-        self.project_velocities(f, 2);
-        if given.is_empty() {
+        if f.tree.is_some() && given.iter().all(|(source, _)| self.component_of(*source).is_some()) {
+            // Nothing constrains a tree: its coordinates take their velocities as they are.
+            for (source, velocity) in given {
+                if let Some(v) = self.component_of(source) {
+                    self.v[v] = velocity;
+                }
+            }
             return Ok(());
         }
         self.impose_velocities(f, &given)
@@ -148,10 +183,7 @@ impl<S: Space<T = f64>> Machine<S> {
         self.update_positions();
         kinematics::velocities(&self.mech, &self.v, &mut self.x);
         self.rows.evaluate(&self.mech, &self.q, &self.x);
-        f.mass.evaluate(&self.mech, &self.x);
-        f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
-        f.effort.factorizations += 1;
-        if f.saddle.factor() { Ok(()) } else { Err(self.missing_mass(f)) }
+        self.factor_masses(f)
     }
 
     fn not_closed(&mut self, f: &Flight<S>) -> MechanismError {
@@ -162,21 +194,23 @@ impl<S: Space<T = f64>> Machine<S> {
         MechanismError::Stopped { coordinate, reached, asked, singular_value: 0.0, mobile: Vec::new() }
     }
 
-    /// The least change of velocities (by kinetic energy) that meets the given ones.
+    /// The smallest velocities (rad/s, machine sizes a second) that meet constraints, drives and the given ones.
     fn impose_velocities(&mut self, f: &mut Flight<S>, given: &[(Source, f64)]) -> Result<(), MechanismError> {
+        self.use_masses(f);
+        self.refactor(f)?;
         let mut saddle = f.saddle.clone();
         for (source, _) in given {
             saddle = saddle.with_row(&self.mech, &self.rows, &f.mass, *source);
         }
-        saddle.redundant = true;
         saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
+        saddle.take_unit_masses();
         if !saddle.factor() {
             return Err(self.missing_mass(f));
         }
         let (mut gamma, mut mu) = (vec![0.0; saddle.rows], vec![0.0; saddle.rows]);
         for _ in 0..3 {
-            kinematics::velocities(&self.mech, &self.v, &mut self.x);
-            gamma.fill(0.0);
+            self.fill_rates(f);
+            gamma[..f.saddle.rows].copy_from_slice(&f.gamma);
             for (k, (source, wanted)) in given.iter().enumerate() {
                 gamma[f.saddle.rows + k] = wanted - self.rate_of_source(*source);
             }

@@ -437,3 +437,63 @@ fn solver_effort_of_known_runs() {
     assert_eq!(a, "55 steps, 27 rejected, 960 evaluations, 0 iterations, 960 factorizations, 0 jacobians");
     assert_eq!(b, "152 steps, 2 rejected, 1017 evaluations, 861 iterations, 336 factorizations, 3 jacobians");
 }
+
+/// A chain of rods that hangs over the ground between turning joints, in plane or space.
+fn rope(n: usize, planar: bool) -> Blueprint<f64> {
+    let mut dice = Dice::new(n as u64);
+    let mut bodies = Vec::new();
+    let mut joints = Vec::new();
+    for i in 0..n {
+        let mass = dice.within(0.5, 2.0);
+        let inertia = [[0.03, 0.001, -0.002], [0.001, 0.04, 0.003], [-0.002, 0.003, 0.05]];
+        let center = [dice.within(0.0, 0.2), dice.within(-0.1, 0.1), if planar { 0.0 } else { 0.07 }];
+        bodies.push(Body { mass, center, inertia });
+        let from = if i == 0 { at(0, 0.1, 0.2, 0.0) } else { at(i, 0.3, 0.0, 0.0) };
+        let kind = match (planar, i % 5) {
+            (_, 3) => JointKind::Prismatic { axis: [0.6, 0.8, 0.0] },
+            (false, 1) => JointKind::Spherical,
+            (false, 2) => JointKind::Universal { axis: [0.0, 0.6, 0.8], axis2: X },
+            _ => JointKind::Revolute { axis: if planar { Z } else { [0.3, -0.5, 0.8] } },
+        };
+        joints.push(joint(kind, from, at(i + 1, 0.0, 0.0, 0.0)));
+    }
+    blueprint([0.4, -9.81, if planar { 0.0 } else { 0.9 }], bodies, joints, Vec::new())
+}
+
+#[test]
+fn long_trees_move_as_their_mass_matrix_says() {
+    // 30 joints are solved body by body; a stop that is far away asks for the matrix.
+    for planar in [true, false] {
+        let plain = rope(30, planar);
+        let mut watched = plain.clone();
+        let far = Value::Constant(1e3);
+        let none = Value::Constant(0.0);
+        watched.forces.push(Force::Stop {
+            coordinate: coordinate(0),
+            min: None,
+            max: Some(far),
+            stiffness: none,
+            damping: none,
+            restitution: Some(none),
+        });
+        let places: Vec<Vec<f64>> = [plain, watched]
+            .iter()
+            .map(|b| {
+                let mut e = engine_for(planar, b).expect("builds");
+                e.assemble(&[]).expect("assembles");
+                let velocities = vec![(coordinate(0), 0.7), (coordinate(3), -0.2)];
+                let dynamics =
+                    Dynamics { driven: vec![coordinate(8)], velocities, tolerance: 1e-8, ..Dynamics::free() };
+                let motion = crate::random::Motion { at: vec![0.0], rate: vec![0.3], accel: vec![-0.5] };
+                let mut around = Driving(motion);
+                e.begin(&dynamics, &mut around).expect("begins");
+                run_to(&mut *e, 0.2, &mut around);
+                (1..=30).flat_map(|i| e.body(BodyId(i)).center.acceleration).collect()
+            })
+            .collect();
+        let size = places[0].iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+        for (a, b) in places[0].iter().zip(&places[1]) {
+            assert!((a - b).abs() < 1e-6 * size, "{a} {b}");
+        }
+    }
+}
