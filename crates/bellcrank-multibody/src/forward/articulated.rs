@@ -110,8 +110,8 @@ impl Articulated {
             self.force[mech.nodes[i].parent].iter_mut().zip(&shifted).for_each(|(p, s)| *p += s);
         }
         self.motion[0] = [0.0; 6];
-        for i in 1..mech.nodes.len() {
-            let mut motion = shifted_motion::<S>(&self.motion[mech.nodes[i].parent], x[i].r);
+        for (i, (node, x)) in mech.nodes.iter().zip(x).enumerate().skip(1) {
+            let mut motion = shifted_motion::<S>(&self.motion[node.parent], x.r);
             for k in (self.first[i]..self.first[i + 1]).rev() {
                 let f = self.freedom[k];
                 let acceleration = self.left[k] - f.inverse * dot(&f.image, &motion);
