@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
-use bellcrank_model::verify::{CaseReport, Comparison, run_case};
+use bellcrank_model::verify::{CaseReport, Comparison, case_name, run_case};
 
 use crate::shell::{Outcome, files, root};
 
@@ -13,7 +13,7 @@ const PAGE: &str = "docs/validation/verification.md";
 
 /// Prints the worst number of each case and what went wrong; `--page` writes the page with all of them.
 pub(crate) fn run(arguments: &[String]) -> Outcome {
-    let reports: Vec<CaseReport> = folders().iter().map(|folder| told(folder)).collect();
+    let reports: Vec<CaseReport> = cases().iter().map(|case| told(case)).collect();
     println!("{}", counts(&reports));
     if arguments.iter().any(|argument| argument == "--page") {
         std::fs::write(root().join(PAGE), page(&reports)).map_err(|error| format!("{PAGE}: {error}"))?;
@@ -25,9 +25,9 @@ pub(crate) fn run(arguments: &[String]) -> Outcome {
 }
 
 /// Runs a case and prints its line at once; a panic in one does not hide the others.
-fn told(folder: &Path) -> CaseReport {
-    let report = catch_unwind(|| run_case(folder)).unwrap_or_else(|_| CaseReport {
-        name: folder.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+fn told(case: &Path) -> CaseReport {
+    let report = catch_unwind(|| run_case(case)).unwrap_or_else(|_| CaseReport {
+        name: case_name(case),
         faults: vec!["the program panicked".to_owned()],
         ..CaseReport::default()
     });
@@ -35,11 +35,11 @@ fn told(folder: &Path) -> CaseReport {
     report
 }
 
-/// Folders that hold reference numbers, cases first.
-fn folders() -> Vec<PathBuf> {
-    let cases = files(&root().join("verify/cases"), &|name| name == "reference.toml");
-    let machines = files(&root().join("models"), &|name| name == "expected.toml");
-    cases.iter().chain(&machines).filter_map(|file| file.parent().map(PathBuf::from)).collect()
+/// Files with reference numbers, cases first.
+fn cases() -> Vec<PathBuf> {
+    let mut cases = files(&root().join("verify/cases"), &|name| name == "reference.toml");
+    cases.extend(files(&root().join("models"), &|name| name == "expected.toml" || name.ends_with(".expected.toml")));
+    cases
 }
 
 fn line(report: &CaseReport) -> String {

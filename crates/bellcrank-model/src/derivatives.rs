@@ -132,8 +132,8 @@ fn models(folder: &str) -> Vec<PathBuf> {
     let inside = |path: &Path| std::fs::read_dir(path).expect("a folder").map(|entry| entry.expect("an entry").path());
     let machines = inside(&folder).filter(|path| path.is_dir()).flat_map(|path| inside(&path).collect::<Vec<_>>());
     let is_model = |path: &PathBuf| {
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        path.extension().is_some_and(|ext| ext == "toml") && !["expected", "reference"].contains(&stem.as_str())
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.ends_with(".toml") && !name.ends_with("expected.toml") && name != "reference.toml"
     };
     let mut all: Vec<PathBuf> = machines.filter(is_model).collect();
     all.sort();

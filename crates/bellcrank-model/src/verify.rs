@@ -1,6 +1,7 @@
 //! Reference numbers beside computed ones: `verify/cases/<id>/` and `models/*/`.
 //!
-//! A folder holds a model and a `reference.toml` (model `model.toml`) or `expected.toml` (which names its model):
+//! A folder holds a model and a `reference.toml` (model `model.toml`) or `expected.toml` (which names its model); the
+//! numbers of a second model there stand in `NAME.expected.toml`. Each has
 //! `kind`, `source` and a list `[[check]]`. A check takes one number: a `signal` of a `study` at a row (`at`, the
 //! first one unless given), a `reduce` expression over the rows, a `scalar` of the study or of the mechanism
 //! (`bodies`, `joints`, `loops`, `degrees_of_freedom`, `redundant`), or whether a reaction component is determined by
@@ -60,13 +61,24 @@ impl CaseReport {
     }
 }
 
-/// Runs the model of a folder and compares it with `reference.toml` or `expected.toml` in it.
+/// Runs a model and compares it with reference numbers: those of a file, or of `reference.toml` or `expected.toml` in a
+/// folder.
 #[must_use]
-pub fn run_case(folder: &Path) -> CaseReport {
-    let name = folder.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let mut report = CaseReport { name, ..CaseReport::default() };
-    if let Err(faults) = reference::read(folder).and_then(|reference| compare::run(&reference, &mut report)) {
+pub fn run_case(case: &Path) -> CaseReport {
+    let mut report = CaseReport { name: case_name(case), ..CaseReport::default() };
+    if let Err(faults) = reference::read(case).and_then(|reference| compare::run(&reference, &mut report)) {
         report.faults.extend(faults);
     }
     report
+}
+
+/// The folder's name, with that of the model where the folder has more than one.
+#[must_use]
+pub fn case_name(case: &Path) -> String {
+    let last = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    if case.extension().is_none_or(|extension| extension != "toml") {
+        return last(case);
+    }
+    let folder = last(case.parent().unwrap_or(Path::new("")));
+    last(case).strip_suffix(".expected.toml").map_or_else(|| folder.clone(), |model| format!("{folder}/{model}"))
 }

@@ -28,12 +28,14 @@ pub(super) fn notes(model: &Model, freedom: &Freedom) -> Vec<String> {
     notes
 }
 
-/// Massless bodies at one joint that nothing loads: they carry no force and swing by nothing.
+/// Massless bodies at one joint that nothing loads: they carry no force and swing by nothing. What is welded does not.
 fn loose_ends(model: &Model) -> Vec<String> {
     let design = model.design();
     let mut joints_at = vec![0; design.bodies.len()];
-    for end in design.joints.iter().filter_map(|joint| joint.connects).flatten() {
-        joints_at[end.body] += 1;
+    for (joint, end) in
+        design.joints.iter().flat_map(|joint| joint.connects.into_iter().flatten().map(move |end| (joint, end)))
+    {
+        joints_at[end.body] += if joint.kind == "weld" { 2 } else { 1 };
     }
     let loaded = loaded_bodies(design);
     let loose = |&(index, _): &(usize, &Body)| {
@@ -99,7 +101,8 @@ fn round_discs(model: &Model) -> Option<String> {
     })
 }
 
-/// Parameters that no value, motion or other parameter uses.
+/// Parameters of the main file that no value, motion or other parameter uses. Those of a subsystem may be there for its
+/// own studies.
 fn unused_parameters(model: &Model) -> Vec<String> {
     let design = model.design();
     let mut used = Used::default();
@@ -108,13 +111,9 @@ fn unused_parameters(model: &Model) -> Vec<String> {
         used.study(study);
     }
     used.parameters(design);
-    let mut unused = Vec::new();
-    for (scope, of) in design.scopes.iter().enumerate() {
-        let names = of.parameters.all().iter().enumerate();
-        let loose = names.filter(|(index, _)| !used.pairs.contains(&(scope, *index)));
-        unused.extend(loose.map(|(_, parameter)| format!("{}{}", of.prefix, parameter.name)));
-    }
-    unused
+    let own = design.scopes.first().map_or(&[][..], |of| of.parameters.all());
+    let loose = own.iter().enumerate().filter(|(index, _)| !used.pairs.contains(&(0, *index)));
+    loose.map(|(_, parameter)| parameter.name.clone()).collect()
 }
 
 /// Parameters in use: scope and index.

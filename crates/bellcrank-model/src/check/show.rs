@@ -14,14 +14,15 @@ impl Check {
         lines.extend(self.facts().into_iter().map(|(label, text)| format!("  {label:<22}{text}")));
         lines.push(String::new());
         lines.push("bodies".to_owned());
-        lines.extend(self.bodies.iter().map(body_line));
+        let wide = self.name_column();
+        lines.extend(self.bodies.iter().map(|body| body_line(body, wide)));
         lines.push("joints".to_owned());
-        lines.extend(self.joints.iter().map(joint_line));
+        lines.extend(self.joints.iter().map(|joint| joint_line(joint, wide)));
         if !self.studies.is_empty() {
             lines.push("studies".to_owned());
             lines.extend(self.studies.iter().map(|study| {
                 let later = if study.available { "" } else { "  (not in this version)" };
-                format!("  {:<16}{}{later}", study.name, study.kind)
+                format!("  {:<wide$}{}{later}", study.name, study.kind)
             }));
         }
         self.programmes.iter().for_each(|(studies, of)| lines.extend(programme_lines(studies, of)));
@@ -35,6 +36,14 @@ impl Check {
             lines.extend(self.notes.iter().map(|note| format!("note: {note}")));
         }
         lines.join("\n") + "\n"
+    }
+
+    /// Width of the column of names: 16, or what the longest needs.
+    fn name_column(&self) -> usize {
+        let bodies = self.bodies.iter().map(|body| &body.name);
+        let joints = self.joints.iter().map(|joint| &joint.name);
+        let names = bodies.chain(joints).chain(self.studies.iter().map(|study| &study.name));
+        names.map(|name| name.chars().count() + 2).fold(16, usize::max)
     }
 
     /// The counts in words: label and text, as results carry them.
@@ -121,16 +130,21 @@ fn space(kind: SpaceKind) -> &'static str {
     }
 }
 
-fn body_line(body: &BodyFact) -> String {
-    let mass = if body.mass > 0.0 { format!("{} kg", body.mass) } else { "massless".to_owned() };
+fn body_line(body: &BodyFact, wide: usize) -> String {
+    let mass = if body.mass > 0.0 { format!("{} kg", rounded(body.mass)) } else { "massless".to_owned() };
     let joints =
         if body.joints.is_empty() { "no joints".to_owned() } else { format!("joints {}", body.joints.join(", ")) };
-    format!("  {:<16}{mass:<14}{joints}", body.name)
+    format!("  {:<wide$}{mass:<14}{joints}", body.name)
 }
 
-fn joint_line(joint: &JointFact) -> String {
+/// Six significant digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+fn joint_line(joint: &JointFact, wide: usize) -> String {
     let closes = if joint.closes { "  closes a loop" } else { "" };
-    format!("  {:<16}{:<14}{}{closes}", joint.name, joint.kind, joint.bodies.join(" - "))
+    format!("  {:<wide$}{:<14}{}{closes}", joint.name, joint.kind, joint.bodies.join(" - "))
 }
 
 /// The moves of a programme, one a line.

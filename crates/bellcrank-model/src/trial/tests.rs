@@ -68,7 +68,10 @@ fn machines() -> Vec<String> {
     for folder in std::fs::read_dir(root).expect("models").filter_map(Result::ok) {
         let inside = std::fs::read_dir(folder.path()).into_iter().flatten().filter_map(Result::ok);
         let toml = |path: &PathBuf| {
-            path.extension().is_some_and(|e| e == "toml") && path.file_stem().is_some_and(|stem| stem != "expected")
+            path.file_name().is_some_and(|name| {
+                let name = name.to_string_lossy();
+                name.ends_with(".toml") && !name.ends_with("expected.toml")
+            })
         };
         files.extend(inside.map(|entry| entry.path()).filter(toml));
     }

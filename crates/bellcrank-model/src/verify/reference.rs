@@ -15,12 +15,12 @@ pub(super) struct Reference {
     pub(super) sources: Sources,
 }
 
-/// Reads the reference of a folder.
-pub(super) fn read(folder: &Path) -> Result<Reference, Vec<String>> {
-    let names = ["reference.toml", "expected.toml"];
-    let Some(path) = names.iter().map(|name| folder.join(name)).find(|path| path.exists()) else {
-        return Err(vec![format!("no reference.toml or expected.toml in {}", folder.display())]);
+/// Reads the reference of a folder, or the file itself.
+pub(super) fn read(case: &Path) -> Result<Reference, Vec<String>> {
+    let Some(path) = file(case) else {
+        return Err(vec![format!("no reference.toml or expected.toml in {}", case.display())]);
     };
+    let folder = path.parent().unwrap_or(Path::new(""));
     let mut sources = Sources::new();
     let mut diagnostics = Diagnostics::new();
     let table = read_source(&mut sources, &path, &mut diagnostics).map(|id| parse(&sources, id, &mut diagnostics));
@@ -33,6 +33,13 @@ pub(super) fn read(folder: &Path) -> Result<Reference, Vec<String>> {
     }
     let Some((model, kind, source, checks)) = head else { return Err(vec!["nothing to compare".to_owned()]) };
     Ok(Reference { model, kind, source, checks, sources })
+}
+
+fn file(case: &Path) -> Option<PathBuf> {
+    if case.is_file() {
+        return Some(case.to_owned());
+    }
+    ["reference.toml", "expected.toml"].map(|name| case.join(name)).into_iter().find(|path| path.exists())
 }
 
 type Head = (PathBuf, String, String, Vec<Table>);
