@@ -62,7 +62,16 @@ fn drawn_body(built: &Built, index: usize, body: &Body) -> DrawnBody {
     let lines = if index == 0 { Vec::new() } else { lines(&positions, body.planar) };
     let numbers = &built.blueprint.bodies[index];
     let center = (index > 0 && numbers.mass > 0.0).then_some(numbers.center);
-    DrawnBody { name: body.name.clone(), points, lines, center }
+    let block = center.and_then(|_| block(numbers.mass, &numbers.inertia));
+    DrawnBody { name: body.name.clone(), points, lines, center, block }
+}
+
+/// Sides of the block with this mass (kg) and these moments (kg·m²) about its middle: Ixx = m(b² + c²)/12, ...
+fn block(mass: f64, inertia: &[[f64; 3]; 3]) -> Option<[f64; 3]> {
+    let moments: [f64; 3] = std::array::from_fn(|k| inertia[k][k]);
+    let sum: f64 = moments.iter().sum();
+    let sides = moments.map(|own| (6.0 * (sum - 2.0 * own) / mass).sqrt());
+    sides.iter().all(|side| side.is_finite() && *side > 0.0).then_some(sides)
 }
 
 /// A bar, a triangle; more points in the plane a polygon around their middle, in space the shortest tree.
@@ -133,7 +142,7 @@ fn axis(kind: &bellcrank_multibody::JointKind<f64>) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::up;
+    use super::{block, up};
 
     #[test]
     fn up_is_the_axis_against_gravity() {
@@ -141,5 +150,14 @@ mod tests {
         assert_eq!(up([0.0, -9.81, 0.0], false), [0.0, 1.0, 0.0]);
         assert_eq!(up([9.6, -2.0, 0.0], true), [-1.0, 0.0, 0.0]);
         assert_eq!((up([0.0; 3], true), up([0.0; 3], false)), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]));
+    }
+    #[test]
+    fn a_block_has_the_moments_it_is_made_from() {
+        let moments = |m: f64, [a, b, c]: [f64; 3]| [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| m * x / 12.0);
+        let [x, y, z] = moments(80.0, [0.5, 0.25, 0.4]);
+        let sides = block(80.0, &[[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]).unwrap();
+        assert!(sides.iter().zip([0.5, 0.25, 0.4]).all(|(a, b)| (a - b).abs() < 1e-12), "{sides:?}");
+        assert!(block(1.0, &[[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.2]]).is_none());
+        assert!(block(1.0, &[[0.0; 3]; 3]).is_none());
     }
 }

@@ -29,6 +29,9 @@ pub struct DrawnBody {
     pub lines: Vec<[usize; 2]>,
     /// Centre of mass, for bodies with mass.
     pub center: Option<[f64; 3]>,
+    /// Sides (m, along body axes) of the block around the centre of mass that has the body's mass and moments of
+    /// inertia; none where no block has them.
+    pub block: Option<[f64; 3]>,
 }
 
 /// A joint symbol that moves with its first body.

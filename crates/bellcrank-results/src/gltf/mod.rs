@@ -28,7 +28,7 @@ const VERSION: u32 = 2;
 ///
 /// A plane is seen from +z, a machine that stands on the x-y plane from -y with x to the right.
 pub fn upright([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
-    let right = if z == 0.0 { [y, -x, 0.0] } else { [1.0, 0.0, 0.0] };
+    let right = if z == 0.0 { [y, 0.0 - x, 0.0] } else { [1.0, 0.0, 0.0] };
     [right, [x, y, z], cross(right, [x, y, z])]
 }
 

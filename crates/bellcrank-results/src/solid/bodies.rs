@@ -59,6 +59,12 @@ fn frame(plan: &Plan<'_>, index: usize, body: &DrawnBody) -> Vec<Solid> {
             thickness: 1.2 * radius,
         });
     }
+    shapes.extend(plan.block(index).map(|(center, size)| Shape::Block {
+        center,
+        along: [1.0, 0.0, 0.0],
+        across: [0.0, 1.0, 0.0],
+        size,
+    }));
     shapes.into_iter().map(|shape| Solid { body: index, shape, paint: Paint::Body }).collect()
 }
 

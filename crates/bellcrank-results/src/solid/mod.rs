@@ -120,6 +120,14 @@ impl Plan<'_> {
     fn planar(&self) -> bool {
         matches!(self.drawing.space, SpaceKind::Planar)
     }
+
+    /// Middle and sides of the block that stands for a body without form which hangs on one joint at most: a load, a
+    /// jaw, a latch.
+    fn block(&self, body: usize) -> Option<(V3, V3)> {
+        let drawn = self.drawing.bodies.get(body).filter(|drawn| drawn.lines.is_empty())?;
+        let joints = self.drawing.joints.iter().filter(|joint| joint.first.0 == body || joint.second.0 == body);
+        if joints.count() > 1 { None } else { drawn.center.zip(drawn.block) }
+    }
 }
 
 /// The parts of a drawing, sized by the room that its motion takes; none where nothing is placed.

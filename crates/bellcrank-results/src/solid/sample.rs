@@ -34,6 +34,7 @@ pub(crate) fn drawing(space: SpaceKind) -> Drawing {
         points: points(k as f64),
         lines: if k == 0 { Vec::new() } else { vec![[0, 1], [1, 2], [2, 0]] },
         center: None,
+        block: None,
     };
     let joint = |(k, kind): (usize, &&str)| DrawnJoint {
         name: format!("J{k}"),

@@ -106,3 +106,21 @@ fn nothing_is_drawn_of_nothing() {
     lost.frames.iter_mut().flatten().for_each(|pose| pose.position = [f64::NAN; 3]);
     assert!(solids(&drawing, &lost).is_empty());
 }
+
+#[test]
+fn a_load_is_the_block_of_its_inertia() {
+    let mut drawing = drawing(SpaceKind::Spatial);
+    let block_of = |drawing: &Drawing| {
+        let parts = solids(drawing, &animation(drawing.bodies.len()));
+        parts.into_iter().find_map(|part| match part.shape {
+            Shape::Block { center, size, .. } if part.body == 10 => Some((center, size)),
+            _ => None,
+        })
+    };
+    let load = &mut drawing.bodies[10];
+    (load.lines, load.center, load.block) = (Vec::new(), Some([0.1, 0.2, 0.3]), Some([0.5, 0.4, 0.25]));
+    assert_eq!(block_of(&drawing), Some(([0.1, 0.2, 0.3], [0.5, 0.4, 0.25])));
+    let again = crate::DrawnJoint { first: drawing.joints[0].first, ..drawing.joints[9].clone() };
+    drawing.joints.push(again);
+    assert_eq!(block_of(&drawing), None, "two joints: a link, which its joints show");
+}

@@ -44,7 +44,7 @@ impl Travel {
     /// The two ends stay apart, and a rod can be pulled from a barrel all the way.
     pub(super) fn is_cylinder(&self) -> bool {
         let (near, far) = self.apart();
-        self.low * self.high > 0.0 && far < 1.8 * near && self.aside < 0.15 * near
+        self.low * self.high > 0.0 && far < 1.9 * near && self.aside < 0.15 * near
     }
 
     /// Smallest and largest distance of the two ends, m.

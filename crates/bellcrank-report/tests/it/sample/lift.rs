@@ -197,7 +197,13 @@ fn reactions() -> Vec<Reaction> {
 
 fn body(name: &str, points: &[(&str, [f64; 2])], lines: &[[usize; 2]], center: Option<[f64; 3]>) -> DrawnBody {
     let point = |(name, [x, y]): &(&str, [f64; 2])| ((*name).to_owned(), [*x, *y, 0.0]);
-    DrawnBody { name: name.to_owned(), points: points.iter().map(point).collect(), lines: lines.to_vec(), center }
+    DrawnBody {
+        name: name.to_owned(),
+        points: points.iter().map(point).collect(),
+        lines: lines.to_vec(),
+        center,
+        block: None,
+    }
 }
 
 fn joint(name: &str, kind: &str, first: (usize, [f64; 2]), second: (usize, [f64; 2]), driven: bool) -> DrawnJoint {

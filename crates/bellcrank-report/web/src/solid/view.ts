@@ -1,7 +1,7 @@
 // The solid drawing of a motion.
 
 import { Group, Matrix4, Mesh, MeshStandardMaterial, Scene, Vector3 } from "three";
-import type { V3 } from "../data";
+import type { Solid, V3 } from "../data";
 import type { Eye, V2 } from "../scene/camera";
 import type { Facts } from "../scene/facts";
 import { drawLegend } from "../scene/legend";
@@ -109,7 +109,7 @@ export class SolidView implements View, Eye {
     const { drawing, motion } = this.facts;
     const joints = drawing.joints.flatMap((joint) => [joint.first, joint.second]);
     // Points of the ground on which nothing stands may be far away.
-    const all = [...places(drawing).filter(([body]) => body !== 0), ...joints];
+    const all = [...places(drawing).filter(([body]) => body !== 0), ...joints, ...motion.solids.flatMap(corners)];
     const seen = someFrames(motion, drawing.planar, 60).flatMap((frame) => all.map(([body, p]) => frame.place(body, p)));
     return seen.filter((p) => p.every(Number.isFinite)).map((p) => new Vector3(...p).applyMatrix4(this.turned));
   }
@@ -252,6 +252,17 @@ export class SolidView implements View, Eye {
     // Names of all points of a large machine would hide it.
     return drawing.bodies.length > 12 ? joints : [...joints, ...points.filter(({ at }) => away(at))];
   }
+}
+
+/** Corners of a block, with its body; other parts reach hardly beyond the places they lie between. */
+function corners({ body, shape }: Solid): [number, V3][] {
+  if (!("block" in shape)) return [];
+  const { block, along, across, size } = shape;
+  const high = new Vector3(...along).cross(new Vector3(...across));
+  const signs = [-0.5, 0.5];
+  const corner = (a: number, b: number, c: number) =>
+    block.map((x, k) => x + a * size[0] * along[k] + b * size[1] * across[k] + c * size[2] * high.getComponent(k)) as V3;
+  return signs.flatMap((a) => signs.flatMap((b) => signs.map((c): [number, V3] => [body, corner(a, b, c)])));
 }
 
 function middleOf(places: Vector3[]): Vector3 {
