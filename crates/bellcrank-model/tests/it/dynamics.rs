@@ -184,6 +184,30 @@ fn driven_and_free_go_together() {
     assert!(last(&result, "check.closure") < 1e-9 && last(&result, "check.balance") < 1e-6);
 }
 
+#[test]
+fn every_method_finds_the_same_motion() {
+    let study = |name: &str, keys: &str| {
+        let keys = format!("[studies.a]\nkind = \"dynamics\"\nduration = \"1 s\"\n{keys}");
+        done(study(name, PENDULUM, &keys))
+    };
+    let truth = study("truth", "method = \"explicit\"\ntolerance = 1e-11\n");
+    let end = |result: &StudyResult| last(result, "joint.wrist.position");
+    let implicit = study("implicit", "method = \"generalized-alpha\"\ntolerance = 1e-8\n");
+    assert!((end(&implicit) - end(&truth)).abs() < 1e-4, "{} {}", end(&implicit), end(&truth));
+    let effort =
+        |result: &StudyResult, wanted: &str| result.effort.iter().find(|(name, _)| name == wanted).map(|(_, n)| *n);
+    assert!(effort(&implicit, "newton_iterations") > Some(0.0) && effort(&truth, "newton_iterations") == Some(0.0));
+    // Order 2: half the step, a quarter of the error.
+    let fixed = |step: &str| {
+        let keys = format!("method = \"generalized-alpha\"\nspectral_radius = 0.6\nstep = \"{step}\"\n");
+        (end(&study(&format!("fixed-{}", step.len()), &keys)) - end(&truth)).abs()
+    };
+    let (coarse, fine) = (fixed("2 ms"), fixed("1.0 ms"));
+    assert!((3.5..4.5).contains(&(coarse / fine)), "{coarse} {fine}");
+    let short = study("short", "method = \"explicit\"\nlargest_step = \"0.5 ms\"\n");
+    assert!(effort(&short, "steps") >= Some(2000.0));
+}
+
 fn failure(name: &str, machine: &str, keys: &str) -> (String, StudyResult) {
     let result = study(name, machine, keys);
     let told = result.failure.as_ref().map(|failure| failure.message.clone()).expect("a failure");

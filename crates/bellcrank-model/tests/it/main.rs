@@ -8,6 +8,7 @@ mod files;
 mod format;
 mod improve;
 mod lift;
+mod modes;
 mod planar_in_space;
 mod programme;
 mod random;

@@ -14,6 +14,9 @@ use crate::run::explain::shown;
 use crate::run::surroundings::{Around, Suspect};
 use crate::signals::Signal;
 
+/// An amplitude below this, against a largest one of 1, is none.
+const ROUNDING: f64 = 1e-8;
+
 impl<'d> Session<'d> {
     /// What the engine asks for while it steps.
     pub(in crate::run) fn surroundings(
@@ -52,6 +55,10 @@ impl<'d> Session<'d> {
         driven: &[Coordinate],
         around: &mut Around<'d>,
     ) -> Result<Linearized, End> {
+        // Nothing can move: there is nothing to linearize.
+        if self.engine.freedom().degrees <= driven.len() {
+            return Ok(Linearized::default());
+        }
         let found = self.engine.linearize(driven, around);
         found.map_err(|error| self.blamed(&error, 0.0, around))
     }
@@ -62,9 +69,10 @@ impl<'d> Session<'d> {
             self.engine.show_mode(mode, phase);
             of.iter().map(|&c| self.engine.coordinate(c).velocity).collect()
         };
-        // Of φ e^(iωt) the real part is seen: a quarter later the imaginary one, downwards.
+        // Of φ e^(iωt) the real part is seen: a quarter later the imaginary one, downwards. The largest is 1.
         let (real, imaginary) = (at(0.0), at(std::f64::consts::FRAC_PI_2));
-        real.into_iter().zip(imaginary).map(|(re, im)| [re, 0.0 - im]).collect()
+        let clean = |x: f64| if x.abs() < ROUNDING { 0.0 } else { x };
+        real.into_iter().zip(imaginary).map(|(re, im)| [clean(re), clean(-im)]).collect()
     }
 
     /// Adds the present state, all of it known, to the rows.
