@@ -14,6 +14,8 @@ use crate::progress::Progress;
 /// Spectral radius unless given: steps that are not resolved are damped, the others hardly.
 const SPECTRAL_RADIUS: f64 = 0.8;
 const TOLERANCE: f64 = 1e-6;
+/// Part of a step from row to row within which two times are one.
+const NEAR: f64 = 1e-6;
 
 pub(super) fn run<'d>(session: &mut Session<'d>, of: &'d Dynamics, progress: &mut dyn Progress) -> Result<(), End> {
     progress.at(0.0, "assembling");
@@ -184,8 +186,9 @@ impl Walk<'_, '_> {
 
     fn end(&mut self, event: &Event) {
         self.tell_of(event);
-        // An event at the time of a row is that row.
-        if self.session.recorded("time").last().is_none_or(|last| *last < event.time) {
+        // An event at the time of a row is that row, but for what the search for it leaves.
+        let near = NEAR * self.duration / self.rows as f64;
+        if self.session.recorded("time").last().is_none_or(|last| *last < event.time - near) {
             self.row();
         }
         if let (Some(events), EventKind::Switch { index, .. }) = (&mut self.session.result.events, event.kind)

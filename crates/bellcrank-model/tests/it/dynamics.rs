@@ -23,7 +23,7 @@ center = ["0.1 m", 0]
 points = { O = [0, 0] }
 [joints]
 hinge = { kind = "revolute", connects = ["ground.O", "arm.O"], start = "10 deg", start_velocity = "1 rad/s" }
-wrist = { kind = "revolute", connects = ["arm.P", "hand.O"], start = "0 deg", start_velocity = 0 }
+wrist = { kind = "revolute", connects = ["arm.P", "hand.O"], start = "0 deg" }
 "#;
 
 const BALL: &str = r#"

@@ -3,6 +3,7 @@
 mod asks;
 mod check;
 mod documents;
+mod dynamics;
 mod interrupt;
 mod other;
 mod run;

@@ -10,7 +10,6 @@ use super::Session;
 use crate::design::{ForceShape, Joint, Load, StopWhen};
 use crate::run::End;
 use crate::run::course::{Course, Laws};
-use crate::run::explain::shown;
 use crate::run::surroundings::{Around, Suspect};
 use crate::signals::Signal;
 
@@ -140,10 +139,7 @@ impl<'d> Session<'d> {
         let force = self.design.forces.iter().find(|force| uses(&force.shape))?;
         let written = expression.written().trim();
         let what = match value.is_finite() {
-            true => {
-                let unit = self.design.units.of_dimension(expression.dimension());
-                format!("grows without bound: `{written}` gives {}", shown(value, &unit))
-            }
+            true => format!("grows without bound: `{written}`"),
             false => format!("is not finite: `{written}` gives {value}"),
         };
         let (study, time) = (&self.study.name, self.namer().time(time));
