@@ -165,6 +165,9 @@ fn the_lift_takes_the_force_of_its_inverse_dynamics() {
         }
     }
     assert!(scalar(&forth, "energy.drift").is_none());
+    // At rest, too.
+    let worst = (0..51).map(|row| value(&forth, "check.balance", row)).fold(0.0, f64::max);
+    assert!(worst < 1e-9, "{worst}");
 }
 
 /// Of two slider-cranks on one shaft one is driven, and one falls.

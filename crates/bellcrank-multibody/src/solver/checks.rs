@@ -11,6 +11,9 @@ use crate::workspace::NodeState;
 use crate::{Checks, kinematics};
 use bellcrank_math::{Components, Space};
 
+/// Velocities that count as none, m/s or rad/s.
+const STILL: f64 = 1e-12;
+
 /// A sum of powers, and what they would be if nothing cancelled: forces times speeds.
 #[derive(Default)]
 struct Sum {
@@ -41,7 +44,9 @@ impl<S: Space<T = f64>> Machine<S> {
     fn power_balance(&self) -> f64 {
         let moving = self.v.iter().any(|v| *v != 0.0);
         if self.flight.is_some() {
-            return self.balance_along(&self.v, &self.x);
+            // What rounding leaves of velocities that come to rest meets no constraint, and tests nothing.
+            let still = self.v.iter().all(|v| v.abs() < STILL);
+            return if still { 0.0 } else { self.balance_along(&self.v, &self.x) };
         }
         let Some(prepared) = &self.prepared else { return f64::NAN };
         if moving {
