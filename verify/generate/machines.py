@@ -279,7 +279,7 @@ def bennett(x):
     return one, two, three, -q2
 
 
-ref = Reference("literature", "G. T. Bennett, A new mechanism, Engineering 76 (1903): tan(q1/2) tan(q2/2) constant; torque by the power balance in mpmath (verify/generate/machines.py); uniqueness by verify/generate/maximal.py", "bennett.toml")
+ref = Reference("literature", "G. T. Bennett, A new mechanism, Engineering 76 (1903): tan(q1/2) tan(q2/2) constant; torque by the power balance in mpmath (verify/generate/machines.py); uniqueness by verify/generate/maximal", "bennett.toml")
 w, al = 3.0, -1.0
 for d in (20, 45, 60, 90, 120, 150):
     x = d * deg

@@ -206,7 +206,7 @@ import os, maximal
 from reference import ROOT
 from closed_forms import RSSR_ANGLES
 
-ref = Reference("other-code", "rocker angle: RSSR closure in closed form; torque and forces: verify/generate/maximal.py (absolute coordinates, every body taken free)")
+ref = Reference("other-code", "rocker angle: RSSR closure in closed form; torque and forces: verify/generate/maximal (absolute coordinates, every body taken free)")
 rows = maximal.load(os.path.join(ROOT, "verify/cases/rusr-coupler/model.toml")).rows("run")
 for d, row in zip(range(0, 360, 30), rows):
     p, v, a = RSSR_ANGLES[d]

@@ -11,11 +11,14 @@ use crate::shell::{Outcome, files, root};
 
 const PAGE: &str = "docs/validation/verification.md";
 
-/// Prints the worst number of each case and what went wrong; `--page` writes the page with all of them.
+/// Prints the worst number of each case and what went wrong; `--page` writes the page with all of them. Names choose
+/// among the cases.
 pub(crate) fn run(arguments: &[String]) -> Outcome {
-    let reports: Vec<CaseReport> = cases().iter().map(|case| told(case)).collect();
+    let names: Vec<&String> = arguments.iter().filter(|argument| !argument.starts_with("--")).collect();
+    let chosen = |case: &PathBuf| names.is_empty() || names.iter().any(|name| case_name(case) == **name);
+    let reports: Vec<CaseReport> = cases().into_iter().filter(chosen).map(|case| told(&case)).collect();
     println!("{}", counts(&reports));
-    if arguments.iter().any(|argument| argument == "--page") {
+    if names.is_empty() && arguments.iter().any(|argument| argument == "--page") {
         std::fs::write(root().join(PAGE), page(&reports)).map_err(|error| format!("{PAGE}: {error}"))?;
     }
     match reports.iter().filter(|report| !report.passed()).count() {
