@@ -49,6 +49,9 @@ fn driven(design: &Design, studies: &[Study]) -> Vec<Coordinate> {
         Task::Motion { over: Over::Time { motions, drives, .. }, .. } => {
             Some(drives.clone().unwrap_or_else(|| moved(motions.iter().filter_map(|&i| design.motions.get(i)))))
         }
+        Task::Dynamics(of) if !of.motions.is_empty() => {
+            Some(moved(of.motions.iter().filter_map(|&i| design.motions.get(i))))
+        }
         _ => None,
     };
     studies.iter().find_map(of).unwrap_or_default()
