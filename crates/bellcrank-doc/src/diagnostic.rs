@@ -211,6 +211,11 @@ impl Diagnostics {
         self.all.dedup();
     }
 
+    /// Lets `revise` work on those that were kept.
+    pub fn revise(&mut self, revise: impl FnOnce(&mut Vec<Diagnostic>)) {
+        revise(&mut self.all);
+    }
+
     /// The same as plain data, for JSON.
     #[must_use]
     pub fn findings(&self, sources: &Sources) -> Vec<Finding> {

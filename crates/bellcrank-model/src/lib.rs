@@ -22,6 +22,7 @@ mod load;
 mod measure;
 mod model;
 mod motion;
+mod mounts;
 mod names;
 mod options;
 mod progress;

@@ -9,8 +9,9 @@ use crate::build::{self, check_connected};
 use crate::design::{Design, Study, Task, Values};
 use crate::disk::read_source;
 use crate::model::{Main, Parts};
+use crate::mounts;
 use crate::provenance;
-use crate::read::{ReadModel, Tables, read_files, read_model};
+use crate::read::{Files, ReadModel, Tables, read_files, read_model};
 
 /// What reading a file gave.
 #[derive(Debug)]
@@ -58,7 +59,20 @@ fn read(
     sources: &mut Sources,
     diagnostics: &mut Diagnostics,
 ) -> Option<Model> {
-    let files = read_files(sources, main, path, overrides, diagnostics)?;
+    let mut files = read_files(sources, main, path, overrides, diagnostics)?;
+    let mounted = std::mem::take(&mut files.mounted);
+    let model = read_parts(main, path, files, sources, diagnostics);
+    mounts::tell(&mounted, sources, diagnostics);
+    model
+}
+
+fn read_parts(
+    main: SourceId,
+    path: &Path,
+    files: Files,
+    sources: &mut Sources,
+    diagnostics: &mut Diagnostics,
+) -> Option<Model> {
     let texts: Vec<SourceId> = files.parts.iter().map(|part| part.table.span.source).collect();
     let read = read_model(files, &Tables::new(sources), diagnostics)?;
     evaluate(&read, diagnostics);

@@ -1,14 +1,13 @@
 //! `[ground]` and `[bodies]`.
 
-use bellcrank_doc::{Diagnostic, Entry, Span, Value};
+use bellcrank_doc::{Diagnostic, Span, Value};
 
-use super::files::Mount;
 use super::points::{self, Owner};
-use super::{Machine, PartReader};
-use crate::design::{Body, PointRef, Quantity};
+use super::{Machine, PartReader, grounds};
+use crate::design::{Body, Quantity};
 use crate::keyed::Keyed;
 use crate::names::{self, Index};
-use crate::schema::{BODY, GROUND};
+use crate::schema::BODY;
 
 /// Reads the bodies of all parts, then the grounds: these may sit on a body of another part.
 pub(crate) fn read(parts: &[PartReader<'_>], machine: &mut Machine) {
@@ -22,9 +21,7 @@ pub(crate) fn read(parts: &[PartReader<'_>], machine: &mut Machine) {
             read_body(*part, machine, &entry.key, entry.key_span, &entry.value);
         }
     }
-    for part in parts {
-        read_ground(*part, machine);
-    }
+    grounds::read(parts, machine);
 }
 
 /// The entries of a table of named things in a part; what is no table has been reported with the head.
@@ -128,63 +125,5 @@ fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
     if let Some(value) = keyed.value("flexible") {
         let message = format!("{} counts as rigid: flexible bodies are not in this version", keyed.what());
         part.reader.report(Diagnostic::warning("not-in-this-version", value.span, message));
-    }
-}
-
-/// Adds the points of a part's ground to the ground, or to the body that carries the part.
-fn read_ground(part: PartReader<'_>, machine: &mut Machine) {
-    let mount = mount(part, machine);
-    machine.mounts.push(mount);
-    let (body, base) = mount.map_or((0, None), |point| (point.body, Some(point.point)));
-    let prefix = if part.prefix().is_empty() { String::new() } else { part.full("ground.") };
-    if !part.prefix().is_empty() {
-        machine.mount(part.full("ground"), body, prefix.clone());
-    }
-    let Some(entry) = part.part.table.get("ground") else { return };
-    let Some(fields) = part.reader.fields(&entry.value, "the ground") else { return };
-    let keyed = Keyed::new(fields, &GROUND, part.space());
-    let owner = Owner { what: "the ground".to_owned(), prefix, base };
-    let mut read = keyed.value("points").map_or_else(Vec::new, |value| points::read(part, value, &owner));
-    let strays = strays(&entry.value);
-    if strays.is_empty() {
-        keyed.finish();
-    } else {
-        report_strays(part, &strays);
-        read.extend(strays.into_iter().filter_map(|entry| points::read_point(part, entry, &owner)));
-    }
-    for point in read {
-        machine.point_names[body].insert(&point.name, machine.bodies[body].points.len());
-        machine.bodies[body].points.push(point);
-    }
-}
-
-/// Entries of `[ground]` that look like points: the commonest slip there.
-fn strays(value: &Value) -> Vec<&Entry> {
-    let is_point = |entry: &&Entry| entry.value.as_list().is_some() && entry.key != "points";
-    let all: Vec<&Entry> = value.as_table().into_iter().flat_map(|table| table.iter()).collect();
-    let others = all.iter().filter(|entry| entry.key != "points").count();
-    let strays: Vec<&Entry> = all.into_iter().filter(is_point).collect();
-    // Anything else is an unknown key like any other.
-    if strays.len() == others { strays } else { Vec::new() }
-}
-
-fn report_strays(part: PartReader<'_>, strays: &[&Entry]) {
-    let names: Vec<String> = strays.iter().map(|entry| format!("`{}`", entry.key)).collect();
-    let message = format!("points of the ground stand in `[ground.points]`, found {} in `[ground]`", names.join(", "));
-    let report = Diagnostic::error("unknown-key", strays[0].key_span, message);
-    part.reader.report(report.hint("write `[ground.points]` for `[ground]`"));
-}
-
-/// The point that carries the ground of a subsystem.
-fn mount(part: PartReader<'_>, machine: &Machine) -> Option<PointRef> {
-    let Mount::Point { written, prefix, span } = &part.part.mount else {
-        return part.part.parent.and_then(|parent| machine.mounts.get(parent).copied()).flatten();
-    };
-    match machine.point(written, prefix, *span) {
-        Ok(point) => Some(point),
-        Err(diagnostic) => {
-            part.reader.report(*diagnostic);
-            None
-        }
     }
 }

@@ -12,6 +12,7 @@ use crate::design::{Scope, ScopeId};
 use crate::disk::read_source;
 use crate::keyed::Keyed;
 use crate::motion::{Columns, Spline, read_table};
+use crate::mounts::Mounted;
 use crate::names;
 use crate::schema::SUBSYSTEM;
 
@@ -48,6 +49,8 @@ pub(crate) enum Mount {
 pub(crate) struct Files {
     pub(crate) parts: Vec<Part>,
     pub(crate) scopes: Vec<Scope>,
+    /// Texts of all but the main file, those that could not be read among them.
+    pub(crate) mounted: Vec<Mounted>,
 }
 
 /// The main file, which is `source`, and all that it includes. `None` when there is nothing to work on.
@@ -58,12 +61,20 @@ pub(crate) fn read_files(
     overrides: Vec<Override>,
     diagnostics: &mut Diagnostics,
 ) -> Option<Files> {
-    let mut expander =
-        Expander { sources, diagnostics, overrides, parts: Vec::new(), scopes: Vec::new(), open: Vec::new() };
+    let mut expander = Expander {
+        sources,
+        diagnostics,
+        overrides,
+        parts: Vec::new(),
+        scopes: Vec::new(),
+        open: Vec::new(),
+        chain: Vec::new(),
+        mounted: Vec::new(),
+    };
     expander.file(source, path, String::new(), Mount::Ground, None)?;
     expander.report_unused_overrides();
-    let Expander { parts, scopes, .. } = expander;
-    Some(Files { parts, scopes })
+    let Expander { parts, scopes, mounted, .. } = expander;
+    Some(Files { parts, scopes, mounted })
 }
 
 /// What a subsystem is given by the file that includes it.
@@ -81,6 +92,9 @@ struct Expander<'s> {
     scopes: Vec<Scope>,
     /// Files that are being read, outermost first: as found on disk, and as named.
     open: Vec<(PathBuf, String)>,
+    /// Subsystems that are being read, outermost first: full names, and where the files mount them.
+    chain: Vec<(String, Span)>,
+    mounted: Vec<Mounted>,
 }
 
 impl Expander<'_> {
@@ -98,10 +112,14 @@ impl Expander<'_> {
         if table.is_empty() && self.diagnostics.errors() > errors {
             return None;
         }
-        let parameters = self.parameters(&table, &prefix);
+        let (parameters, settled) = self.parameters(&table, &prefix);
         let scope = ScopeId(self.scopes.len());
         let including = given.as_ref().map(|given| given.parent.0);
-        let parent = given.map(|given| (given.parent, self.set(given, &parameters, &prefix)));
+        let mut parent = given.map(|given| (given.parent, self.set(given, &parameters, &prefix)));
+        // The command line has the last word.
+        if let Some((_, set)) = &mut parent {
+            set.retain(|(index, _)| !settled.contains(index));
+        }
         self.scopes.push(Scope { prefix: prefix.clone(), parameters, parent });
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let subsystems = table.get("subsystems").cloned();
@@ -121,8 +139,8 @@ impl Expander<'_> {
         Some(())
     }
 
-    /// The parameters of a file, with what the command line says about them.
-    fn parameters(&mut self, table: &Table, prefix: &str) -> ParameterSet {
+    /// The parameters of a file, with what the command line says about them, and which these are.
+    fn parameters(&mut self, table: &Table, prefix: &str) -> (ParameterSet, Vec<usize>) {
         let read = match table.get("parameters").map(|entry| &entry.value) {
             None => ParameterSet::default(),
             Some(value) => match value.as_table() {
@@ -138,16 +156,17 @@ impl Expander<'_> {
         };
         let own = self.own_overrides(prefix);
         if own.is_empty() {
-            return read;
+            return (read, Vec::new());
         }
+        let settled = own.iter().filter_map(|one| read.index(&one.name)).collect();
         match read.with_overrides(&own) {
             Ok((changed, warnings)) => {
                 self.diagnostics.append(warnings);
-                changed
+                (changed, settled)
             }
             Err(faults) => {
                 self.diagnostics.append(faults);
-                read
+                (read, settled)
             }
         }
     }
@@ -206,9 +225,15 @@ impl Expander<'_> {
             Some(written) => Mount::Point { written: written.value, prefix: prefix.to_owned(), span: written.span },
             None => Mount::Ground,
         };
-        if let Some(source) = read_source(self.sources, &path, self.diagnostics) {
-            self.file(source, &path, format!("{prefix}{}.", entry.key), mount, Some(Given { parent, set }));
-        }
+        let mut reports = Diagnostics::new();
+        let source = read_source(self.sources, &path, &mut reports);
+        // What is said of a main file does not help here: the name stands in this one.
+        reports.into_iter().for_each(|report| self.diagnostics.push(placed(report, file.span)));
+        let Some(source) = source else { return };
+        self.chain.push((format!("{prefix}{}", entry.key), entry.key_span));
+        self.mounted.push(Mounted { source, chain: self.chain.clone() });
+        self.file(source, &path, format!("{prefix}{}.", entry.key), mount, Some(Given { parent, set }));
+        self.chain.pop();
     }
 
     /// `file` and `ground` of a subsystem; `set` is read with the parameters of both files.

@@ -171,7 +171,7 @@ pub(crate) struct ReadModel {
 
 /// Reads the parts; everything wrong is reported. `None` when so much is wrong that nothing can be built.
 pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Diagnostics) -> Option<ReadModel> {
-    let Files { parts, scopes } = files;
+    let Files { parts, scopes, .. } = files;
     let readers: Vec<Reader<'_>> = scopes.iter().map(|scope| Reader::new(&scope.parameters)).collect();
     let read = read_parts(&parts, &readers, &scopes, tables);
     for reader in readers {

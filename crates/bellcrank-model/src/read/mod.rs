@@ -9,6 +9,7 @@ mod context;
 mod files;
 mod forces;
 mod forward_keys;
+mod grounds;
 mod joints;
 mod machine;
 mod motions;

@@ -43,9 +43,10 @@ pub(crate) fn read(parts: &[PartReader<'_>], machine: &Machine, tables: &Tables<
                 part.reader.report(fault);
             }
             let (name, place) = (part.full(&entry.key), read.list.len());
-            match read_motion(*part, machine, tables, entry, place) {
-                Some((motion, waits)) => {
-                    waiting.extend(waits);
+            let (motion, waits) = read_motion(*part, machine, tables, entry, place);
+            waiting.extend(waits.map(|waits| waits.of(motion.is_some())));
+            match motion {
+                Some(motion) => {
                     read.names.insert(&name, place);
                     read.list.push(motion);
                 }
@@ -57,22 +58,26 @@ pub(crate) fn read(parts: &[PartReader<'_>], machine: &Machine, tables: &Tables<
     read
 }
 
-/// The motion at `place` in the list, and what it waits for.
+/// The motion at `place` in the list, and what it waits for, which is told even of one that is wrong.
 fn read_motion<'a>(
     part: PartReader<'a>,
     machine: &Machine,
     tables: &Tables<'_>,
     entry: &'a Entry,
     place: usize,
-) -> Option<(Prescribed, Option<Waiting<'a>>)> {
-    let fields = part.reader.fields(&entry.value, &format!("motion `{}`", entry.key))?;
+) -> (Option<Prescribed>, Option<Waiting<'a>>) {
+    let Some(fields) = part.reader.fields(&entry.value, &format!("motion `{}`", entry.key)) else {
+        return (None, None);
+    };
     let keyed = Keyed::new(fields, &MOTION, part.space());
     let target = keyed.text("joint").and_then(|name| target(part, machine, &keyed, name));
     let law = target.as_ref().and_then(|target| law(part, &keyed, target, tables));
     let (start, waits) = starts::read(part, &keyed, place, entry.key_span);
     keyed.finish();
     let (name, span) = (part.full(&entry.key), entry.key_span);
-    Some((Prescribed { name, span, coordinates: target?.coordinates, law: law?, start }, waits))
+    let motion =
+        target.zip(law).map(|(target, law)| Prescribed { name, span, coordinates: target.coordinates, law, start });
+    (motion, waits)
 }
 
 /// A list of expressions moves all coordinates of a joint; everything else moves one.

@@ -12,7 +12,8 @@ const SEVERAL: &str = "a time, `start = \"2 s\"`, or `start = \"after NAME\"` or
 
 /// A motion that waits for something whose name is not yet looked up.
 pub(super) struct Waiting<'a> {
-    motion: usize,
+    /// Its place in the list; `None` of one that is wrong otherwise.
+    motion: Option<usize>,
     part: PartReader<'a>,
     edge: Edge,
     name: Spanned<&'a str>,
@@ -39,7 +40,7 @@ pub(super) fn read<'a>(
     let start = |origin| Start { span, origin, delay };
     let Some(value) = value else { return (start(Origin::Zero), None) };
     if let Some((edge, name)) = named(value) {
-        return (start(Origin::Unknown), Some(Waiting { motion, part, edge, name }));
+        return (start(Origin::Unknown), Some(Waiting { motion: Some(motion), part, edge, name }));
     }
     if let Some(word) = wrong_word(value) {
         let message = format!("{} begins with `{word}`", keyed.named("start"));
@@ -89,9 +90,9 @@ fn within(span: Span, text: &str, part: &str) -> Span {
 pub(super) fn resolve(waiting: &[Waiting<'_>], read: &mut ReadMotions) -> Vec<usize> {
     let marks = marks(&read.list);
     for one in waiting {
-        if let Some(mark) = one.mark(read, &marks) {
+        if let (Some(mark), Some(motion)) = (one.mark(read, &marks), one.motion) {
             let origin = if one.edge == Edge::After { Origin::After(mark) } else { Origin::With(mark) };
-            read.list[one.motion].start.origin = origin;
+            read.list[motion].start.origin = origin;
         }
     }
     let (order, circles) = order(&read.list);
@@ -116,6 +117,11 @@ fn marks(motions: &[Prescribed]) -> Index {
 }
 
 impl Waiting<'_> {
+    /// The same of a motion that made it into the list, or did not.
+    pub(super) fn of(self, listed: bool) -> Self {
+        Waiting { motion: self.motion.filter(|_| listed), ..self }
+    }
+
     fn mark(&self, read: &ReadMotions, marks: &Index) -> Option<Mark> {
         let full = self.part.full(self.name.value);
         let motion = read.names.get(&full).map(|motion| Mark { motion, segment: None });
@@ -207,7 +213,7 @@ fn order(motions: &[Prescribed]) -> (Vec<usize>, Vec<Vec<usize>>) {
 }
 
 fn report_circle(waiting: &[Waiting<'_>], motions: &[Prescribed], circle: &[usize]) {
-    let at = |motion: usize| waiting.iter().find(|one| one.motion == motion);
+    let at = |motion: usize| waiting.iter().find(|one| one.motion == Some(motion));
     let Some(first) = circle.first().and_then(|&motion| at(motion)) else { return };
     let names: Vec<&str> = circle.iter().chain(circle.first()).map(|&motion| motions[motion].name.as_str()).collect();
     let message = match circle {
