@@ -9,7 +9,9 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 /** One renderer for all drawings of a page: browsers keep only some WebGL contexts alive. */
 export interface Studio {
   renderer: WebGLRenderer;
-  room: Texture;
+  /** What metal mirrors; null where graphics are computed without a graphics card, which is too slow for that and for
+   * shadows. */
+  room: Texture | null;
 }
 
 let studio: Studio | null = null;
@@ -22,14 +24,29 @@ function made(): Studio {
   const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "default" });
   renderer.setClearColor(0, 0);
   renderer.toneMapping = NeutralToneMapping;
+  if (isSoftware(renderer)) return { renderer, room: null };
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   const room = new PMREMGenerator(renderer).fromScene(new RoomEnvironment(), 0.04).texture;
   return { renderer, room };
 }
 
+function isSoftware(renderer: WebGLRenderer): boolean {
+  const gl = renderer.getContext();
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 /** Lights for a machine within `radius` of the origin. */
 export function light(scene: Scene, studio: Studio, radius: number): void {
+  if (!studio.room) {
+    scene.add(new HemisphereLight(0xffffff, 0x9aa4ae, 2.2));
+    const sun = new DirectionalLight(0xffffff, 1.9);
+    sun.position.set(1.4, 3, 1.9);
+    scene.add(sun);
+    return;
+  }
   scene.environment = studio.room;
   scene.environmentIntensity = 0.55;
   scene.add(new HemisphereLight(0xffffff, 0xb8c2cc, 0.9));
@@ -47,7 +64,7 @@ export function light(scene: Scene, studio: Studio, radius: number): void {
 }
 
 /** Squares of a round length on the floor, fading outwards, and the shadow on them. */
-export function floor(height: number, radius: number): Group {
+export function floor(height: number, radius: number, studio: Studio): Group {
   const group = new Group();
   const cell = roundLength(radius / 3);
   const reach = 2.6 * radius;
@@ -68,11 +85,12 @@ export function floor(height: number, radius: number): Group {
   }
   geometry.setAttribute("color", new Float32BufferAttribute(shades, 4));
   group.add(new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false })));
+  group.position.y = height;
+  if (!studio.room) return group;
   const shadow = new Mesh(new PlaneGeometry(2 * reach, 2 * reach), new ShadowMaterial({ opacity: 0.2, depthWrite: false }));
   shadow.rotation.x = -Math.PI / 2;
   shadow.receiveShadow = true;
   group.add(shadow);
-  group.position.y = height;
   return group;
 }
 

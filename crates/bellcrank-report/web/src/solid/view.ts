@@ -1,6 +1,6 @@
 // The solid drawing of a motion.
 
-import { Group, Matrix4, Mesh, MeshStandardMaterial, Scene, Vector3 } from "three";
+import { Group, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, Scene, Vector3 } from "three";
 import type { Solid, V3 } from "../data";
 import type { Eye, V2 } from "../scene/camera";
 import type { Facts } from "../scene/facts";
@@ -52,7 +52,7 @@ export class SolidView implements View, Eye {
     this.addDistances();
     light(this.scene, sharedStudio(), this.radius);
     const low = reach.reduce((least, p) => Math.min(least, p.y), this.lowestOfGround());
-    this.scene.add(this.world, floor(low - 0.003 * this.radius, this.radius));
+    this.scene.add(this.world, floor(low - 0.003 * this.radius, this.radius, sharedStudio()));
     this.orbit = new Orbit([...reach, ...this.feet()], this.radius);
     if (drawing.planar) this.orbit.drag(40, -20, false);
   }
@@ -132,7 +132,10 @@ export class SolidView implements View, Eye {
       const geometry = bodyGeometry(motion.solids, index, metal, motion.solids.length < FINE_PARTS);
       if (!geometry) continue;
       const surface = metal ? { roughness: 0.32, metalness: 0.75 } : { roughness: 0.5, metalness: 0.05 };
-      const mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, ...surface }));
+      const material = sharedStudio().room
+        ? new MeshStandardMaterial({ vertexColors: true, ...surface })
+        : new MeshLambertMaterial({ vertexColors: true });
+      const mesh = new Mesh(geometry, material);
       mesh.castShadow = mesh.receiveShadow = true;
       group.add(mesh);
     }
