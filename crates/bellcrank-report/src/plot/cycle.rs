@@ -23,7 +23,7 @@ const LANE: f64 = 44.0;
 const BAR: f64 = 20.0;
 const BELOW: f64 = 50.0;
 /// Room that a letter of a small label takes.
-const LETTER: f64 = 5.9;
+const LETTER: f64 = 6.3;
 const SMALL: &str = "font-size=\"10.5\"";
 const SMALL_LIGHT: &str = "font-size=\"10.5\" fill=\"#fff\"";
 const SEPARATOR: &str = "stroke=\"#bbb\" stroke-width=\"0.7\"";
