@@ -44,6 +44,34 @@ impl<T: Real> Space for Planar<T> {
         w
     }
     #[inline(always)]
+    fn rotate_back(r: &Turn<T>, v: Vector<T, 2>) -> Vector<T, 2> {
+        Vector([r.cos * v[0] + r.sin * v[1], r.cos * v[1] - r.sin * v[0]])
+    }
+    #[inline(always)]
+    fn rotate_angular_back(_: &Turn<T>, w: Vector<T, 1>) -> Vector<T, 1> {
+        w
+    }
+    #[inline(always)]
+    fn along_turn(w: Vector<T, 1>) -> T {
+        w[0]
+    }
+    #[inline(always)]
+    fn add_along_turn(w: &mut Vector<T, 1>, k: T) {
+        w[0] += k;
+    }
+    #[inline(always)]
+    fn cross_turn(_: Vector<T, 1>, _: T) -> Vector<T, 1> {
+        Vector([T::zero()])
+    }
+    #[inline(always)]
+    fn turn_cross(k: T, r: Vector<T, 2>) -> Vector<T, 2> {
+        Vector([-(k * r[1]), k * r[0]])
+    }
+    #[inline(always)]
+    fn inertia_turn(j: &Vector<T, 1>, k: T) -> Vector<T, 1> {
+        *j * k
+    }
+    #[inline(always)]
     fn column(r: &Turn<T>, i: usize) -> Vector<T, 2> {
         if i == 0 { Vector([r.cos, r.sin]) } else { Vector([-r.sin, r.cos]) }
     }

@@ -64,12 +64,26 @@ pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     fn rotate(r: &Self::Rotation, v: Self::Vector) -> Self::Vector;
     /// `R w`.
     fn rotate_angular(r: &Self::Rotation, w: Self::Angular) -> Self::Angular;
+    /// `Rᵀ v`.
+    fn rotate_back(r: &Self::Rotation, v: Self::Vector) -> Self::Vector;
+    /// `Rᵀ w`.
+    fn rotate_angular_back(r: &Self::Rotation, w: Self::Angular) -> Self::Angular;
     /// Axis `i` of the rotated frame.
     fn column(r: &Self::Rotation, i: usize) -> Self::Vector;
     /// `R` followed by a turn of (sin, cos) about its own z axis.
     fn turn(r: &Self::Rotation, sin_cos: (Self::T, Self::T)) -> Self::Rotation;
     /// The axis that [`Space::turn`] turns about, outer components.
     fn turn_axis(r: &Self::Rotation) -> Self::Angular;
+    /// Component along z, where turns turn.
+    fn along_turn(w: Self::Angular) -> Self::T;
+    /// `ω ← ω + k e_z`.
+    fn add_along_turn(w: &mut Self::Angular, k: Self::T);
+    /// `ω × k e_z`, zero in the plane.
+    fn cross_turn(w: Self::Angular, k: Self::T) -> Self::Angular;
+    /// `k e_z × r`.
+    fn turn_cross(k: Self::T, r: Self::Vector) -> Self::Vector;
+    /// `J e_z k` with the inertia in outer axes.
+    fn inertia_turn(j: &Self::Inertia, k: Self::T) -> Self::Angular;
     /// The axis that slides: z in space, x in the plane (where z points out of it).
     fn slide_axis(r: &Self::Rotation) -> Self::Vector;
     /// Index of the column that [`Space::slide_axis`] is.

@@ -33,6 +33,12 @@ impl<T: Real> Matrix3<T> {
     }
 }
 
+/// A symmetric matrix of xx, xy, xz, yy, yz, zz.
+#[inline(always)]
+fn symmetric<T: Real>([xx, xy, xz, yy, yz, zz]: [T; 6]) -> Matrix3<T> {
+    Matrix3 { columns: [Vector([xx, xy, xz]), Vector([xy, yy, yz]), Vector([xz, yz, zz])] }
+}
+
 #[inline(always)]
 fn cross<T: Real>(a: Vector<T, 3>, b: Vector<T, 3>) -> Vector<T, 3> {
     Vector([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
@@ -66,6 +72,34 @@ impl<T: Real> Space for Spatial<T> {
     #[inline(always)]
     fn rotate_angular(r: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
         r.times(w)
+    }
+    #[inline(always)]
+    fn rotate_back(r: &Matrix3<T>, v: Vector<T, 3>) -> Vector<T, 3> {
+        r.times_transposed(v)
+    }
+    #[inline(always)]
+    fn rotate_angular_back(r: &Matrix3<T>, w: Vector<T, 3>) -> Vector<T, 3> {
+        r.times_transposed(w)
+    }
+    #[inline(always)]
+    fn along_turn(w: Vector<T, 3>) -> T {
+        w[2]
+    }
+    #[inline(always)]
+    fn add_along_turn(w: &mut Vector<T, 3>, k: T) {
+        w[2] += k;
+    }
+    #[inline(always)]
+    fn cross_turn(w: Vector<T, 3>, k: T) -> Vector<T, 3> {
+        Vector([w[1] * k, -(w[0] * k), T::zero()])
+    }
+    #[inline(always)]
+    fn turn_cross(k: T, r: Vector<T, 3>) -> Vector<T, 3> {
+        Vector([-(k * r[1]), k * r[0], T::zero()])
+    }
+    #[inline(always)]
+    fn inertia_turn(j: &Matrix3<T>, k: T) -> Vector<T, 3> {
+        j.columns[2] * k
     }
     #[inline(always)]
     fn column(r: &Matrix3<T>, i: usize) -> Vector<T, 3> {
@@ -106,18 +140,16 @@ impl<T: Real> Space for Spatial<T> {
     }
     #[inline(always)]
     fn add_inertia(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
-        Matrix3 { columns: std::array::from_fn(|j| a.columns[j] + b.columns[j]) }
+        let (a, b) = (&a.columns, &b.columns);
+        Matrix3 { columns: [a[0] + b[0], a[1] + b[1], a[2] + b[2]] }
     }
     #[inline(always)]
     fn moved_inertia(m: T, h: Vector<T, 3>, r: Vector<T, 3>) -> Matrix3<T> {
         // With s = h + m r the tensor is (r·(h + s)) 1 − r hᵀ − s rᵀ.
         let s = h + r * m;
-        let diagonal = r.dot(h + s);
-        let mut columns: [Vector<T, 3>; 3] = std::array::from_fn(|j| -(r * h[j]) - s * r[j]);
-        for (j, column) in columns.iter_mut().enumerate() {
-            column[j] += diagonal;
-        }
-        Matrix3 { columns }
+        let (xx, yy, zz) = (r[0] * (h[0] + s[0]), r[1] * (h[1] + s[1]), r[2] * (h[2] + s[2]));
+        let entry = |i: usize, k: usize| -(r[i] * h[k]) - s[i] * r[k];
+        symmetric([yy + zz, entry(0, 1), entry(0, 2), xx + zz, entry(1, 2), xx + yy])
     }
     fn vector(v: &[T; 3]) -> Vector<T, 3> {
         Vector(*v)
@@ -134,8 +166,12 @@ impl<T: Real> Space for Spatial<T> {
     fn inertia(j: &[[T; 3]; 3]) -> Matrix3<T> {
         Self::from_matrix(j)
     }
+    #[inline(always)]
     fn turn_inertia(j: &Matrix3<T>, r: &Matrix3<T>) -> Matrix3<T> {
-        r.product(j).product(&r.transposed())
+        // Column k of the result is R J times row k of R; the tensor is symmetric, so six entries are enough.
+        let [x, y, z] = r.product(j).columns;
+        let entry = |i: usize, k: usize| x[i] * r.columns[0][k] + y[i] * r.columns[1][k] + z[i] * r.columns[2][k];
+        symmetric([entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)])
     }
     fn from_matrix(r: &[[T; 3]; 3]) -> Matrix3<T> {
         Matrix3 { columns: std::array::from_fn(|j| Vector(std::array::from_fn(|i| r[i][j]))) }

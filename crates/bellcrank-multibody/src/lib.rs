@@ -18,6 +18,7 @@ mod kinematics;
 mod lifted;
 mod mass_matrix;
 mod mechanism;
+mod recursive;
 mod resting;
 mod solver;
 mod topology;

@@ -10,6 +10,7 @@ use crate::constraint::Measure;
 use crate::forces::Output;
 use crate::kinematics;
 use crate::mechanism::{Mechanism, Source};
+use crate::recursive::Recursions;
 use crate::topology::Motion;
 use crate::workspace::NodeState;
 use crate::{
@@ -83,6 +84,8 @@ pub struct Machine<S: Space<T = f64>> {
     /// The measured angles: joint, coordinate, link and measure.
     pub(crate) measured_angles: Vec<(usize, usize, usize, Measure)>,
     pub(crate) has_friction: bool,
+    /// Recursions over the tree alone, once they were asked for.
+    pub(crate) recursions: Option<Box<Recursions<S>>>,
     /// A run in time.
     pub(crate) flight: Option<Box<crate::forward::Flight<S>>>,
     /// Derivatives, once they were asked for.
@@ -137,6 +140,7 @@ impl<S: Space<T = f64>> Machine<S> {
             unwrapped: mech.sources.iter().map(|s| vec![0.0; s.len()]).collect(),
             measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
+            recursions: None,
             flight: None,
             tangent: None,
             room: None,
@@ -159,6 +163,7 @@ impl<S: Space<T = f64>> Machine<S> {
         }
         self.time = 0.0;
         self.tangent = None;
+        self.recursions = None;
         self.flight = None;
         self.renewed = true;
         self.go_to_start();

@@ -2,6 +2,7 @@
 
 #![expect(unreachable_pub, reason = "a test binary has no outside")]
 
+mod arm;
 mod build;
 mod chain;
 mod forward;
@@ -9,6 +10,7 @@ mod lift;
 mod machines;
 mod modes;
 mod random;
+mod recursive;
 mod renewed;
 mod statics;
 mod tangent;
