@@ -321,6 +321,10 @@ fn eliminate_dense(pivot: &[f64], bottom: &mut [f64], n: usize, k: usize) {
     let inverse = 1.0 / pivot[0];
     for row in bottom.chunks_exact_mut(n) {
         let row = &mut row[k..];
+        // Larger systems of machines are mostly zeros; in small ones the question costs more than it saves.
+        if n > 8 && row[0] == 0.0 {
+            continue;
+        }
         let l = row[0] * inverse;
         row[0] = l;
         row[1..].iter_mut().zip(&pivot[1..]).for_each(|(x, u)| *x -= l * u);

@@ -10,6 +10,8 @@ use bellcrank_math::Space;
 
 /// Friction is settled when no effort changes by more than this part of the largest.
 const SETTLED: f64 = 1e-11;
+/// Closure (machine sizes, rad) at which a position is taken.
+const CLOSED: f64 = 1e-12;
 /// Iterations before a joint is said to jam.
 const MOST_ITERATIONS: usize = 400;
 
@@ -31,9 +33,50 @@ impl<S: Space<T = f64>> Machine<S> {
         self.accelerate_here(f)
     }
 
+    /// The same from a state that the constraints may have been left by a little: positions go back onto them by the
+    /// factors at hand, velocities by those of the new position, and accelerations follow from the same ones.
+    pub(crate) fn accelerate_on_constraints(
+        &mut self,
+        f: &mut Flight<S>,
+        around: &mut dyn Surroundings,
+    ) -> Result<(), MechanismError> {
+        f.effort.evaluations += 1;
+        self.take_drives(f, around)?;
+        self.scratch.saved.copy_from_slice(&self.q);
+        if self.project_positions(f).is_none() {
+            // The factors are too old: those of here.
+            self.q.copy_from_slice(&self.scratch.saved);
+            self.refactor(f)?;
+            self.project_positions(f);
+        }
+        self.factor_position(f)?;
+        if self.closure() > CLOSED * self.mech.size {
+            // Slow for the same reason.
+            self.project_positions(f);
+            self.factor_position(f)?;
+        }
+        self.correct_velocities(f);
+        kinematics::velocities(&self.mech, &self.v, &mut self.x);
+        self.stage = Stage::Rates;
+        self.ask_inputs(&mut |at, values| around.inputs(at, values))?;
+        self.apply_forces();
+        self.accelerate_with(f)
+    }
+
+    /// Masses, constraints and their factors at the present poses.
+    fn factor_position(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
+        self.rows.evaluate(&self.mech, &self.q, &self.x);
+        self.factor_masses(f)
+    }
+
     /// The same where positions, velocities and applied forces are known.
     pub(crate) fn accelerate_here(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
         self.factor_masses(f)?;
+        self.accelerate_with(f)
+    }
+
+    /// The same with the factors at hand.
+    fn accelerate_with(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
         self.fill_gamma(f);
         self.solve_accelerations(f);
         if self.has_friction {
@@ -208,11 +251,14 @@ impl<S: Space<T = f64>> Machine<S> {
 
     /// Tree drives carry what is left along their coordinates, measured ones are multipliers.
     fn read_flight_drives(&mut self, f: &mut Flight<S>) {
+        self.drive.resize(f.saddle.prescribed.len(), 0.0);
+        if f.saddle.prescribed.is_empty() {
+            return;
+        }
         let mut left = std::mem::take(&mut self.tau);
         let efforts = std::mem::take(&mut self.efforts);
         self.passes(&f.saddle.prescribed).residual(&efforts, &mut left);
         self.efforts = efforts;
-        self.drive.resize(f.saddle.prescribed.len(), 0.0);
         for (k, p) in f.saddle.prescribed.iter().enumerate() {
             self.drive[k] = match p {
                 Prescribed::Node(n) => left[self.mech.nodes[*n].v],

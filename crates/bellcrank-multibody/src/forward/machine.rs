@@ -8,8 +8,6 @@ use bellcrank_math::Space;
 
 /// Steps after which the caller is asked whether to go on.
 const PATIENCE: usize = 200;
-/// Closure (machine sizes) at which an interpolated state is taken as it is.
-const CLOSE: f64 = 1e-13;
 
 impl<S: Space<T = f64>> Forward for Machine<S> {
     fn begin(&mut self, dynamics: &Dynamics, around: &mut dyn Surroundings) -> Result<Begun, MechanismError> {
@@ -122,11 +120,10 @@ impl<S: Space<T = f64>> Machine<S> {
     fn settle_at(&mut self, f: &mut Flight<S>, time: f64, around: &mut dyn Surroundings) -> Result<(), MechanismError> {
         self.load(f);
         self.time = time;
-        self.accelerate(f, around)?;
-        if self.closure() > CLOSE * self.mech.size || !f.saddle.prescribed.is_empty() {
-            self.project_positions(f);
-            self.project_velocities(f, 2);
+        if f.saddle.rows == 0 {
             self.accelerate(f, around)?;
+        } else {
+            self.accelerate_on_constraints(f, around)?;
         }
         self.answer_forces(f);
         self.note_unwrapped();

@@ -38,9 +38,8 @@ impl<S: Space<T = f64>> Machine<S> {
                 return None;
             }
             before = error;
-            f.load.fill(0.0);
             self.scratch.delta.fill(0.0);
-            f.saddle.solve(&f.load, &f.gamma, &mut self.scratch.delta, &mut f.mu);
+            f.saddle.least_motion(&f.gamma, &mut self.scratch.delta);
             moved += self.scratch.delta.iter().fold(0.0, |m: f64, d| m.max(d.abs()));
             self.step(1.0);
         }
@@ -74,12 +73,16 @@ impl<S: Space<T = f64>> Machine<S> {
         self.rows.evaluate(&self.mech, &self.q, &self.x);
         f.saddle.fill(&self.mech, &self.rows, &f.mass, &self.x);
         for _ in 0..times {
-            self.fill_rates(f);
-            f.load.fill(0.0);
-            self.scratch.delta.fill(0.0);
-            f.saddle.solve(&f.load, &f.gamma, &mut self.scratch.delta, &mut f.mu);
-            self.v.iter_mut().zip(&self.scratch.delta).for_each(|(v, d)| *v += d);
+            self.correct_velocities(f);
         }
+    }
+
+    /// The least change of velocities that meets constraints and drives, by the factors at hand.
+    pub(crate) fn correct_velocities(&mut self, f: &mut Flight<S>) {
+        self.fill_rates(f);
+        self.scratch.delta.fill(0.0);
+        f.saddle.least_motion(&f.gamma, &mut self.scratch.delta);
+        self.v.iter_mut().zip(&self.scratch.delta).for_each(|(v, d)| *v += d);
     }
 
     /// `gamma = ṡ − J v` of all rows.

@@ -16,7 +16,7 @@ use bellcrank_math::linalg::dense::svd;
 use bellcrank_math::linalg::{BandLu, band_ordering};
 
 /// Below this many unknowns a dense factorization is the fastest band.
-const DENSE: usize = 48;
+const DENSE: usize = 32;
 /// Pivot ratios below this mean that a mass is missing, or an equation depends on others.
 const SINGULAR: f64 = 1e-12;
 /// Below this the regularized system is taken.
@@ -40,6 +40,10 @@ pub(crate) struct Saddle {
     /// Place of each unknown (columns, then rows) in the band.
     place: Vec<usize>,
     lu: BandLu,
+    /// Where everything is driven J is square: motion follows from it alone, multipliers from its transpose.
+    square: Option<BandLu>,
+    /// The last factorization is that of `square`.
+    by_square: bool,
     /// Unknowns of each mass entry (`OUT` where prescribed).
     mass: Vec<(usize, usize)>,
     /// Row and unknown of each entry of the links' blocks.
@@ -104,6 +108,8 @@ impl Saddle {
             rows: count,
             place: (0..size).collect(),
             lu: BandLu::new(0, 0, 0),
+            square: (n == count && n <= DENSE && !redundant).then(|| BandLu::new(n, n, n)),
+            by_square: false,
             mass: Vec::new(),
             blocks: Vec::new(),
             extra: Vec::new(),
@@ -226,6 +232,7 @@ impl Saddle {
     /// Every unknown weighs the same: the solution is the shortest one.
     pub(crate) fn take_unit_masses(&mut self) {
         self.redundant = true;
+        self.square = None;
         self.masses.clear();
         self.masses.extend((0..self.columns.len()).map(|i| (i, i, 1.0)));
     }
@@ -233,6 +240,11 @@ impl Saddle {
     /// Factors what was filled in. `false` where even the regularized system is singular: a mass is missing.
     #[inline]
     pub(crate) fn factor(&mut self) -> bool {
+        self.by_square = self.factor_square() > WEAK;
+        if self.by_square {
+            self.regularized = false;
+            return true;
+        }
         if !self.redundant {
             let ratio = self.factor_with(0.0);
             if ratio > WEAK {
@@ -240,6 +252,15 @@ impl Saddle {
             }
         }
         self.factor_with(COMPLIANCE) > SINGULAR
+    }
+
+    /// J alone, where it is square; 0 where it is not.
+    #[inline]
+    fn factor_square(&mut self) -> f64 {
+        let Some(lu) = &mut self.square else { return 0.0 };
+        lu.clear();
+        self.jacobian.iter().for_each(|&(r, c, value)| lu.add(r, c, value));
+        lu.factor()
     }
 
     fn factor_with(&mut self, compliance: f64) -> f64 {
@@ -264,6 +285,25 @@ impl Saddle {
         self.lu.factor()
     }
 
+    /// The motion that meets `J u = γ` without any force: the least by kinetic energy (`out` as in [`Saddle::solve`]).
+    #[inline]
+    pub(crate) fn least_motion(&mut self, gamma: &[f64], out: &mut [f64]) {
+        let n = self.columns.len();
+        self.right[..n].fill(0.0);
+        for ((right, gamma), scale) in self.right[n..].iter_mut().zip(gamma).zip(&self.row_scale) {
+            *right = gamma * scale;
+        }
+        if self.by_square {
+            self.solution[..n].copy_from_slice(&self.right[n..]);
+            self.square.iter().for_each(|lu| lu.solve(&mut self.solution[..n]));
+        } else {
+            self.solve_right();
+        }
+        for (i, &v) in self.columns.iter().enumerate() {
+            out[v] = self.solution[i] * self.column_scale[v];
+        }
+    }
+
     /// Solves `M a + Jᵀ μ = τ`, `J a = γ`: `tau` and `out` have nv components (prescribed ones of `out` stay), `gamma`
     /// and `mu` one a row.
     pub(crate) fn solve(&mut self, tau: &[f64], gamma: &[f64], out: &mut [f64], mu: &mut [f64]) {
@@ -274,11 +314,7 @@ impl Saddle {
         for ((right, gamma), scale) in self.right[n..].iter_mut().zip(gamma).zip(&self.row_scale) {
             *right = gamma * scale;
         }
-        if self.regularized {
-            self.solve_refined();
-        } else {
-            self.solve_once();
-        }
+        self.solve_right();
         for (i, &v) in self.columns.iter().enumerate() {
             out[v] = self.solution[i] * self.column_scale[v];
         }
@@ -344,6 +380,35 @@ impl Saddle {
         for (r, mu) in mu.iter_mut().enumerate().take(self.rows) {
             *mu = room[n + r] * self.row_scale[r] * self.mass_scale;
         }
+    }
+
+    #[inline]
+    fn solve_right(&mut self) {
+        if self.by_square {
+            self.solve_square();
+        } else if self.regularized {
+            self.solve_refined();
+        } else {
+            self.solve_once();
+        }
+    }
+
+    /// `a = J⁻¹ γ`, then `μ = J⁻ᵀ (τ − M a)`.
+    #[inline]
+    fn solve_square(&mut self) {
+        let Some(lu) = &self.square else { return };
+        let n = self.columns.len();
+        let (motion, mu) = self.solution.split_at_mut(n);
+        motion.copy_from_slice(&self.right[n..]);
+        lu.solve(motion);
+        mu.copy_from_slice(&self.right[..n]);
+        for &(i, j, value) in &self.masses {
+            mu[i] -= value * motion[j];
+            if i != j {
+                mu[j] -= value * motion[i];
+            }
+        }
+        lu.solve_transposed(mu);
     }
 
     fn solve_once(&mut self) {

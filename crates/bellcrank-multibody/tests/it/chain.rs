@@ -1,8 +1,9 @@
 //! Long chains: the closed form of the N-four-bar, and no allocation in the inner step.
 
 use crate::build::*;
-use crate::machines::{chain, lift};
-use bellcrank_multibody::{Actuation, Engine, JointId, engine_for};
+use crate::forward::run_to;
+use crate::machines::{andrews, chain, lift, lift_blueprint};
+use bellcrank_multibody::{Actuation, Dynamics, Engine, JointId, Reading, Readings, Seeded, Surroundings, engine_for};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -53,6 +54,44 @@ fn no_allocation_in_a_position() {
         solve(&mut *e, 0.001 * f64::from(i));
     }
     assert_eq!(allocations() - before, 0);
+}
+
+/// Free and driven machines in time: after the first steps nothing is allocated, between outputs or at them.
+#[test]
+fn no_allocation_in_a_step() {
+    let crank = coordinate(0);
+    let slide = Dynamics { driven: vec![coordinate(1)], ..Dynamics::free() };
+    for (b, dynamics, pace) in [
+        (andrews(), Dynamics::free(), 1e-4),
+        (chain(30), Dynamics::free(), 0.02),
+        (lift_blueprint([19.84, 20.8, 19.4]), slide, 0.02),
+    ] {
+        let mut e = engine_for(true, &b).expect("builds");
+        e.assemble(&[]).expect("assembles");
+        let mut around = Steady { start: e.coordinate(coordinate(1)).position };
+        e.begin(&Dynamics { largest_step: 5.0 * pace, ..dynamics }, &mut around).expect("begins");
+        run_to(&mut *e, 10.0 * pace, &mut around);
+        let (before, steps) = (allocations(), e.solver_effort().steps);
+        for i in 11..60 {
+            run_to(&mut *e, f64::from(i) * pace, &mut around);
+        }
+        assert_eq!(allocations() - before, 0, "{} bodies", b.bodies.len());
+        assert!(e.solver_effort().steps > steps && e.coordinate(crank).position.is_finite());
+    }
+}
+
+/// What is driven moves at 1 mm/s.
+struct Steady {
+    start: f64,
+}
+
+impl Surroundings for Steady {
+    fn inputs(&mut self, _: &dyn Readings<f64>, _: &mut [f64]) {}
+    fn exact_inputs(&mut self, _: &dyn Readings<Seeded>, _: &mut [Seeded]) {}
+    fn drives(&mut self, time: f64, motion: &mut [Reading]) {
+        motion[0] = Reading { position: self.start + 1e-3 * time, velocity: 1e-3, acceleration: 0.0 };
+    }
+    fn switches(&mut self, _: &dyn Readings<f64>, _: &mut [f64]) {}
 }
 
 /// All uprights stay parallel: ((N+1)/3 + N) θ̈ = −g ((N+1)/2 + N) cos θ + τ.
