@@ -1,39 +1,70 @@
 #!/usr/bin/env bash
-# One position of the lift, and the paper's optimization, beside the programs that an engineer would use today, all in this call.
+# One position of the lift, the paper's optimization, and dynamics, beside the programs that an engineer would use today, all in
+# this call.
 #
-#   benches/peers.sh [PEERS]     PEERS: folder of the peer scripts (default ../shared/peers)
+#   benches/peers.sh [PEERS] [PART]     PEERS: folder of the peer scripts (default ../shared/peers)
+#                                       PART: positions, dynamics (default: both)
 #
-# Figures are process CPU seconds, median, one thread. A peer that is not installed is named and left out;
+# Figures are process CPU seconds, one thread. A peer that is not installed is named and left out;
 # `PEERS/run.sh setup` installs them. Whole-process figures include interpreter start and imports.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 peers=$(realpath "${1:-../shared/peers}" 2>/dev/null || true)
+part=${2:-both}
 venv=${VENV:-$HOME/.cache/bellcrank-peers-venv}
 scratch=${BASELINE_SCRATCH:-$HOME/.cache/bellcrank-peers}
+program=${CARGO_TARGET_DIR:-target}/release/bellcrank
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 MKL_NUM_THREADS=1
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
-echo "building" >&2
-cargo bench -q -p bellcrank-multibody --bench cpu -- > "$out/bellcrank.json"
-cargo bench -q -p bellcrank-model --bench cpu -- > "$out/bellcrank-studies.json"
-cargo build -q --release -p bellcrank
-
 absent() { echo "not measured: $1 ($2)" >&2; }
-if [ -x "$scratch/pin_sixbar" ]; then "$scratch/pin_sixbar" > "$out/pinocchio.json"; else absent pinocchio "$scratch/pin_sixbar"; fi
-if [ -x "$venv/bin/python" ] && [ -d "$peers" ]; then
-  "$venv/bin/python" "$peers/scipy_sixbar.py" --json "$out/scipy.json" > /dev/null || absent scipy failed
-  "$venv/bin/python" "$peers/exudyn_rigid.py" --json "$out/exudyn.json" > /dev/null || absent exudyn failed
-else
-  absent "scipy, exudyn" "$venv"
-fi
-if command -v octave-cli > /dev/null && [ -d "$peers" ]; then
-  octave-cli -qf "$peers/sixbar.m" --json "$out/octave.json" > /dev/null 2>&1 || true
-else
-  absent octave octave-cli
-fi
-# Again at the end: the machine may have changed its pace meanwhile.
-cargo bench -q -p bellcrank-multibody --bench cpu -- > "$out/bellcrank-after.json"
+ours() { cargo bench -q -p bellcrank-multibody --bench "$@"; }
+# A peer's script, where its package is there. MuJoCo writes its log where it stands.
+script() { # package script answer
+  if [ -x "$venv/bin/python" ] && [ -d "$peers" ] && "$venv/bin/python" -c "import $1" 2> /dev/null; then
+    (cd "$out" && "$venv/bin/python" "$peers/$2.py" --json "$out/$3.json" > /dev/null) || absent "$3" failed
+  else
+    absent "$3" "$venv"
+  fi
+}
 
-program=${CARGO_TARGET_DIR:-target}/release/bellcrank
-python3 benches/peers.py "$out" "$program" "$peers" "$venv/bin/python"
+positions() {
+  ours cpu > "$out/bellcrank.json"
+  cargo bench -q -p bellcrank-model --bench cpu -- > "$out/bellcrank-studies.json"
+  if [ -x "$scratch/pin_sixbar" ]; then "$scratch/pin_sixbar" > "$out/pinocchio.json"; else absent pinocchio "$scratch/pin_sixbar"; fi
+  script scipy scipy_sixbar scipy
+  if command -v octave-cli > /dev/null && [ -d "$peers" ]; then
+    octave-cli -qf "$peers/sixbar.m" --json "$out/octave.json" > /dev/null 2>&1 || true
+  else
+    absent octave octave-cli
+  fi
+  # Again at the end: the machine may have changed its pace meanwhile.
+  ours cpu > "$out/bellcrank-after.json"
+  python3 benches/peers.py "$out" "$program" "$peers" "$venv/bin/python"
+}
+
+dynamics() {
+  script mujoco mujoco_sixbar mujoco
+  script pydrake drake_sixbar drake
+  local arm=$scratch/pinocchio_arm
+  if [ ! -x "$arm" ] && "$venv/bin/python" -c "import pinocchio" 2> /dev/null; then
+    benches/peers/build_pinocchio_arm.sh "$venv/bin/python" "$arm" || absent pinocchio_arm "did not compile"
+  fi
+  [ -x "$arm" ] || absent pinocchio_arm "$arm"
+  # The two take turns.
+  for _ in 1 2 3 4 5 6 7; do
+    ours dynamics_cpu -- arm >> "$out/arm.jsonl"
+    if [ -x "$arm" ]; then "$arm" benches/peers/arm.txt >> "$out/pinocchio_arm.jsonl"; fi
+  done
+  ours dynamics_cpu -- andrews lift chains > "$out/dynamics.json"
+  python3 benches/dynamics.py "$out" "$program"
+}
+
+echo "building" >&2
+if [ "$part" != dynamics ]; then ours cpu --no-run; fi
+if [ "$part" != positions ]; then ours dynamics_cpu --no-run; fi
+cargo build -q --release -p bellcrank
+script exudyn exudyn_rigid exudyn
+if [ "$part" != dynamics ]; then positions; fi
+if [ "$part" != positions ]; then dynamics; fi
