@@ -172,12 +172,17 @@ impl<S: Space<T = f64>> Machine<S> {
     /// Friction depends on the reaction that it changes: iterate to consistency.
     fn settle_slip(&mut self, f: &mut Flight<S>) -> Result<(), MechanismError> {
         let mut worst = (JointId(0), f64::INFINITY);
+        f.mixing.begin();
         for _ in 0..MOST_ITERATIONS {
             self.reactions_here(f);
+            f.before.copy_from_slice(&self.friction);
             worst = self.update_slip(f);
             if worst.1 <= SETTLED {
                 return Ok(());
             }
+            let Flight { mixing, before, .. } = f;
+            mixing.next(before, &self.friction);
+            self.friction.copy_from_slice(before);
             self.known_accelerations(f);
             kinematics::accelerations(&self.mech, &self.v, Some(&self.a), &mut self.x);
             self.solve_accelerations(f);

@@ -4,6 +4,7 @@ use super::articulated::Articulated;
 use super::door::{Dynamics, Event, Mode, SolverEffort};
 use super::implicit::Alpha;
 use super::locks::Act;
+use super::mixing::Mixing;
 use super::saddle::Saddle;
 use super::step::Step;
 use super::stiffness::Jacobian;
@@ -52,6 +53,9 @@ pub(crate) struct Flight<S: Space<T = f64>> {
     /// Right sides and multipliers, one a row.
     pub(crate) gamma: Vec<f64>,
     pub(crate) mu: Vec<f64>,
+    /// Friction efforts on their way to consistency, and before the last iteration.
+    pub(crate) mixing: Mixing,
+    pub(crate) before: Vec<f64>,
     /// Right side over velocity components.
     pub(crate) load: Vec<f64>,
     /// The step at hand.

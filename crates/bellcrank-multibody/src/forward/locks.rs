@@ -238,8 +238,12 @@ impl<S: Space<T = f64>> Machine<S> {
     ) -> Result<(), MechanismError> {
         let Element::Friction(law) = self.mech.elements[element].clone() else { return Ok(()) };
         let force = ForceId(element);
-        match f.acts[element] {
+        let act = f.acts[element];
+        match act {
             Act::Stick => self.give_way(f, element, happened),
+            Act::Slip { up } if self.turns_round(f, element, law.source, !up, around) => {
+                happened.push(EventKind::Slip { force, rising: !up });
+            }
             Act::Slip { .. } => {
                 self.push_to(f, law.source, 0.0)?;
                 self.lock(f, element, law.source, Act::Stick);
@@ -254,6 +258,28 @@ impl<S: Space<T = f64>> Machine<S> {
             _ => happened.push(EventKind::Slip { force, rising: f.watching.rising }),
         }
         Ok(())
+    }
+
+    /// Does the coordinate go on the other way against the friction of that way? At a dead position of the machine it
+    /// does, whatever would hold it. The friction slips that way then.
+    fn turns_round(
+        &mut self,
+        f: &mut Flight<S>,
+        element: usize,
+        source: Source,
+        up: bool,
+        around: &mut dyn Surroundings,
+    ) -> bool {
+        let before = std::mem::replace(&mut f.acts[element], Act::Slip { up });
+        let goes_on = self.accelerate(f, around).is_ok() && {
+            self.answer_forces(f);
+            let acceleration = self.rates_of_source(source).1;
+            (acceleration > 0.0) == up && acceleration.abs() > 1e-9 * self.unit_of(source)
+        };
+        if !goes_on {
+            f.acts[element] = before;
+        }
+        goes_on
     }
 
     fn watch_margin(&mut self, f: &Flight<S>, element: usize) -> f64 {

@@ -14,6 +14,7 @@ mod flight;
 mod implicit;
 mod locks;
 mod machine;
+mod mixing;
 mod modes;
 mod project;
 mod saddle;

@@ -5,6 +5,7 @@ use super::door::{Begun, Dynamics, Method, SolverEffort, Surroundings};
 use super::flight::{Flight, Storm};
 use super::implicit::Alpha;
 use super::locks::Act;
+use super::mixing::Mixing;
 use super::saddle::Saddle;
 use super::step::Step;
 use super::stiffness::Jacobian;
@@ -65,6 +66,8 @@ impl<S: Space<T = f64>> Machine<S> {
             mu: Vec::new(),
             load: vec![0.0; self.mech.nv],
             step: Step::new(self.mech.nq + self.mech.nv),
+            mixing: Mixing::new(self.mech.elements.len()),
+            before: vec![0.0; self.mech.elements.len()],
             pending: Vec::new(),
             effort: SolverEffort::default(),
             modes: Vec::new(),

@@ -5,6 +5,7 @@
 mod arm;
 mod build;
 mod chain;
+mod events;
 mod forward;
 mod lift;
 mod machines;
