@@ -53,11 +53,9 @@ impl Mixing {
         let n = self.count;
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let mut gram = [[0.0; DEPTH + 1]; DEPTH];
-        for i in 0..n {
-            for j in 0..n {
-                gram[i][j] = dot(&self.changes[i], &self.changes[j]);
-            }
-            gram[i][DEPTH] = dot(&self.changes[i], &self.residual);
+        for (row, a) in gram.iter_mut().zip(&self.changes).take(n) {
+            row.iter_mut().zip(&self.changes).take(n).for_each(|(entry, b)| *entry = dot(a, b));
+            row[DEPTH] = dot(a, &self.residual);
         }
         eliminate(&mut gram, n)
     }
@@ -75,7 +73,6 @@ fn eliminate(gram: &mut [[f64; DEPTH + 1]; DEPTH], n: usize) -> [f64; DEPTH] {
         used[k] = true;
         let row = gram[k];
         for (i, other) in gram.iter_mut().enumerate().take(n).filter(|(i, _)| *i != k) {
-            debug_assert!(i != k);
             let factor = other[k] / pivot;
             other.iter_mut().zip(&row).for_each(|(o, r)| *o -= factor * r);
         }
