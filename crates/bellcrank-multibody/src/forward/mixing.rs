@@ -72,7 +72,7 @@ fn eliminate(gram: &mut [[f64; DEPTH + 1]; DEPTH], n: usize) -> [f64; DEPTH] {
         }
         used[k] = true;
         let row = gram[k];
-        for (i, other) in gram.iter_mut().enumerate().take(n).filter(|(i, _)| *i != k) {
+        for (_, other) in gram.iter_mut().enumerate().take(n).filter(|(i, _)| *i != k) {
             let factor = other[k] / pivot;
             other.iter_mut().zip(&row).for_each(|(o, r)| *o -= factor * r);
         }
