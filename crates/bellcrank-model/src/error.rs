@@ -44,8 +44,8 @@ impl RunError {
             RunError::UnknownStudy { known, .. } => vec![format!("studies of this file: {}", known.join(", "))],
             RunError::NotAvailable { .. } => vec![format!("this version runs {}", AVAILABLE.join(", "))],
             RunError::NotAsked { .. } => {
-                let hint = "ask a study of kind kinematics, inverse-dynamics or statics; run the dynamics by itself with \
-                            other parameters: `--set NAME=VALUE`, or `like` and `set`";
+                let hint = "ask a study of kind kinematics, inverse-dynamics or statics; of dynamics there are `sweep` \
+                            and `sizing`";
                 vec![hint.to_owned()]
             }
         }

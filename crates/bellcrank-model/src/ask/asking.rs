@@ -7,7 +7,7 @@ use bellcrank_results::Unit;
 use crate::RunOptions;
 use crate::design::{Ask, Design, Study, Task};
 use crate::run::Namer;
-use crate::trial::{Asked, Trial};
+use crate::trial::{Asked, Plain, Trial};
 
 /// An asking study, the study that it asks, and how it is run.
 #[derive(Clone, Copy)]
@@ -24,6 +24,11 @@ impl<'d> Asking<'d> {
     /// A machine to try designs on.
     pub(crate) fn trial(&self, asked: Asked) -> Trial<'d> {
         Trial::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
+    }
+
+    /// The same of a study that only its own run can solve.
+    pub(crate) fn plain(&self, asked: Asked) -> Plain<'d> {
+        Plain::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
     }
 
     /// Coordinates that rest where assembly puts them: neither the study nor a start says where.

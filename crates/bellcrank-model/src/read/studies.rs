@@ -185,8 +185,8 @@ impl Finishing<'_> {
         let signals = &self.signals;
         let asking = Asking { entry, kind, part: self.of.part, asked: &asked, parameters: &parameters, signals };
         let ask = asks::ask(&asking, keys.ask.clone())?;
-        // Of dynamics only what runs it once.
-        let answered = asked_kind != "dynamics" || kind == "sizing";
+        // Of dynamics only what runs it as it is: derivatives and drawn machines are worked out position by position.
+        let answered = asked_kind != "dynamics" || matches!(kind, "sizing" | "sweep");
         let task = if answered { Task::Ask(Box::new(ask)) } else { Task::Later };
         Some(self.study(entry, kind, task, parameters, changed))
     }

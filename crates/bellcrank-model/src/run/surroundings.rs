@@ -5,7 +5,7 @@ use bellcrank_multibody::{Coordinate, Reading, Readings, Seeded, Surroundings};
 use super::course::{Laws, Targets};
 use super::inputs::{Evaluated, Inputs};
 use crate::build;
-use crate::design::{Design, Quantity, StopWhen, Study, Values};
+use crate::design::{Design, Quantity, ScopeId, StopWhen, Study, Values};
 use crate::geometry::Geometry;
 use crate::signals::{Level, Probe, Signal, View};
 
@@ -143,7 +143,11 @@ impl Watch {
 
 impl Exact {
     fn new(design: &Design, study: &Study) -> Option<Exact> {
-        let values = Values::new(&design.scopes, &study.parameters);
+        // Those of the study, whatever they were made from.
+        let fixed =
+            study.values.of(ScopeId(0)).iter().enumerate().map(|(index, &value)| (index, Seeded::from_re(value)));
+        let fixed: Vec<(usize, Seeded)> = fixed.collect();
+        let values = Values::with(&design.scopes, &study.parameters, &fixed);
         let built = build::build(design, &values, &mut Vec::new())?;
         Some(Exact { geometry: built.geometry, values, inputs: Inputs::new(design) })
     }

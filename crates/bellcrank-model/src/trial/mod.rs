@@ -8,11 +8,13 @@ mod asked;
 mod extremes;
 mod gradient;
 mod machine;
+mod plain;
 mod turning;
 
 pub(crate) use asked::Asked;
 pub(crate) use gradient::{Derived, Piece};
 pub(crate) use machine::{Trial, Undefined};
+pub(crate) use plain::Plain;
 pub(crate) use turning::running_on;
 
 #[cfg(test)]

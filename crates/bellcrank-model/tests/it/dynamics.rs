@@ -286,6 +286,42 @@ fn a_cancelled_run_keeps_its_rows() {
     assert!((80..120).contains(&result.table.rows()), "{}", result.table.rows());
 }
 
+/// Each design of a sweep is a run of its own, with the events and the end that it has.
+#[test]
+fn a_sweep_asks_a_study_of_dynamics() {
+    let machine = BALL.replace("start = \"1 m\"", "start = \"top\"");
+    let keys = "[parameters]\ntop = \"1 m\"\nk = 0\n\
+                [forces]\nwind = { kind = \"effort\", joint = \"slide\", value = \"-(k*1 N*s/m)*joint.slide.velocity\" }\n\
+                [studies.fall]\nkind = \"dynamics\"\nduration = \"3 s\"\nstop_when = \"joint.slide.position < 0 m\"\n\
+                tolerance = 1e-9\nmethod = \"METHOD\"\n\
+                [studies.a]\nkind = \"sweep\"\nof = \"fall\"\nvary = { top = [\"0.5 m\", \"2 m\", \"100 m\"], k = [0, 3] }\n\
+                responses = { time = \"last(time)\", speed = \"min(joint.slide.velocity)\", way = \"at(joint.slide.position, 0.1 s)\" }\n";
+    for method in ["explicit", "generalized-alpha"] {
+        let result = done(study(&format!("sweep-{method}"), &machine, &keys.replace("METHOD", method)));
+        let Some(bellcrank_results::Findings::Designs(found)) = &result.findings else { panic!("no designs") };
+        let column = |name: &str| &found.sample.column(name).expect("a column").values;
+        assert_eq!((found.total, found.failed), (6, 0));
+        let exact = |height: f64, k: f64| {
+            // v = −(m g/k) (1 − e^(−k t/m)), and its integral.
+            let (m, g) = (2.0, 9.81);
+            let way =
+                |t: f64| if k == 0.0 { g * t * t / 2.0 } else { m * g / k * (t - m / k * (1.0 - (-k * t / m).exp())) };
+            let (mut low, mut high) = (0.0, 3.0);
+            for _ in 0..100 {
+                let middle = 0.5 * (low + high);
+                if way(middle) < height { low = middle } else { high = middle }
+            }
+            (low, height - way(0.1))
+        };
+        for design in 0..6 {
+            let at = |name: &str| column(name)[design];
+            let (time, way) = exact(at("top"), at("k"));
+            assert!((at("time") - time).abs() < 1e-4, "{method} {design}: {} {time}", at("time"));
+            assert!((at("way") - way).abs() < 1e-4, "{method} {design}: {} {way}", at("way"));
+        }
+    }
+}
+
 /// A size can be chosen for a drive of a machine in free motion.
 #[test]
 fn sizing_asks_a_study_of_dynamics() {

@@ -4,7 +4,7 @@ use super::super::Asking;
 use super::columns::Columns;
 use super::plan::{Plan, Value};
 use crate::design::{Designs, Task};
-use crate::trial::{Asked, Trial};
+use crate::trial::{Asked, Plain, Trial, Undefined};
 
 /// Designs tried as a reference where the machine of the file itself has no result.
 const REFERENCES: u64 = 64;
@@ -19,9 +19,17 @@ pub(super) struct Row {
     pub(super) reason: String,
 }
 
+/// How the designs of a study are run.
+enum Machine<'d> {
+    /// Position by position.
+    Trial(Box<Trial<'d>>),
+    /// Each by a run of its own.
+    Plain(Plain<'d>),
+}
+
 /// The machine of a thread.
 pub(super) struct Worker<'d> {
-    trial: Trial<'d>,
+    machine: Machine<'d>,
     of: &'d str,
     fixed: Vec<(usize, f64)>,
     values: Vec<Value>,
@@ -37,10 +45,14 @@ impl<'d> Worker<'d> {
         for one in &question.responses {
             asked.response(&one.response);
         }
-        let trial = asking.trial(asked);
-        let at_rest = matches!(asking.of.task, Task::Statics { .. });
-        let mut worker = Worker { trial, of: &asking.of.name, fixed: Vec::new(), values: Vec::new(), fresh: at_rest };
-        if !at_rest {
+        let in_time = matches!(asking.of.task, Task::Dynamics(_));
+        let machine = match in_time {
+            true => Machine::Plain(asking.plain(asked)),
+            false => Machine::Trial(Box::new(asking.trial(asked))),
+        };
+        let fresh = in_time || matches!(asking.of.task, Task::Statics { .. });
+        let mut worker = Worker { machine, of: &asking.of.name, fixed: Vec::new(), values: Vec::new(), fresh };
+        if !fresh {
             worker.fresh = !worker.refer(plan);
         }
         worker
@@ -48,14 +60,14 @@ impl<'d> Worker<'d> {
 
     /// Whether there is a reference.
     fn refer(&mut self, plan: &Plan) -> bool {
-        self.trial.forget();
-        if self.trial.run(&[]).is_ok() {
+        self.machine.forget();
+        if self.machine.run(&[]).is_ok() {
             return true;
         }
         (0..plan.total.min(REFERENCES)).any(|design| {
             self.take(plan, design);
-            self.trial.forget();
-            self.trial.run(&self.fixed).is_ok()
+            self.machine.forget();
+            self.machine.run(&self.fixed).is_ok()
         })
     }
 
@@ -68,11 +80,11 @@ impl<'d> Worker<'d> {
     pub(super) fn row(&mut self, plan: &Plan, columns: &Columns, design: u64) -> Row {
         self.take(plan, design);
         if self.fresh {
-            self.trial.forget();
+            self.machine.forget();
         }
         let mut numbers = Vec::with_capacity(columns.all.len());
         numbers.extend(self.values.iter().map(|value| value.shown));
-        let reason = match self.trial.run(&self.fixed) {
+        let reason = match self.machine.run(&self.fixed) {
             Ok(responses) => {
                 let responses = responses.iter().zip(&columns.all[columns.inputs..]);
                 numbers.extend(responses.map(|(si, column)| column.unit.show(*si)));
@@ -86,9 +98,28 @@ impl<'d> Worker<'d> {
         Row { numbers, reason }
     }
 
-    /// Positions solved so far.
+    /// Positions or instants solved so far.
     pub(super) fn positions(&self) -> usize {
-        self.trial.positions
+        match &self.machine {
+            Machine::Trial(trial) => trial.positions,
+            Machine::Plain(plain) => plain.rows,
+        }
+    }
+}
+
+impl Machine<'_> {
+    fn run(&mut self, fixed: &[(usize, f64)]) -> Result<&[f64], Undefined> {
+        match self {
+            Machine::Trial(trial) => trial.run(fixed),
+            Machine::Plain(plain) => plain.run(fixed),
+        }
+    }
+
+    /// The next design is built from nothing.
+    fn forget(&mut self) {
+        if let Machine::Trial(trial) = self {
+            trial.forget();
+        }
     }
 }
 
