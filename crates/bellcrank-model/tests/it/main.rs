@@ -18,4 +18,5 @@ mod studies;
 mod subsystems;
 mod suite;
 mod support;
+mod there_and_back;
 mod tolerance;

@@ -15,3 +15,4 @@ mod recursive;
 mod renewed;
 mod statics;
 mod tangent;
+mod there_and_back;
