@@ -13,7 +13,7 @@ use super::explicit::{SHARE, after, before};
 use super::flight::Flight;
 use super::state::error_norm;
 use super::step::Between;
-use crate::solver::{LARGE, Machine};
+use crate::solver::{LARGE, Machine, Prescribed};
 use crate::{MechanismError, dynamics, kinematics};
 use bellcrank_math::Space;
 use bellcrank_math::linalg::BandLu;
@@ -280,7 +280,7 @@ impl<S: Space<T = f64>> Machine<S> {
         f.effort.evaluations += 1;
         self.take_drives(f, around)?;
         for (k, p) in f.saddle.prescribed.iter().enumerate() {
-            if let crate::solver::Prescribed::Node(n) = p {
+            if let Prescribed::Node(n) = p {
                 self.a[self.mech.nodes[*n].v] = f.acceleration[k];
             }
         }
@@ -385,17 +385,16 @@ impl<S: Space<T = f64>> Machine<S> {
         of_places.max(of_speeds)
     }
 
-    /// Takes the end of a step: the constraints to rounding, and the slope there.
+    /// Takes the end of a step, which meets dynamics and constraints as far as the iteration went; rows of the result
+    /// are put onto the constraints one by one.
     fn land_implicit(&mut self, f: &mut Flight<S>, around: &mut dyn Surroundings) -> Result<bool, MechanismError> {
         self.take_drives(f, around)?;
-        self.refactor(f)?;
-        if self.project_positions(f).is_none() {
-            return Ok(false);
+        for (k, p) in f.saddle.prescribed.iter().enumerate() {
+            if let Prescribed::Node(n) = p {
+                self.a[self.mech.nodes[*n].v] = f.acceleration[k];
+            }
         }
-        self.project_velocities(f, 2);
-        if self.accelerate(f, around).is_err() {
-            return Ok(false);
-        }
+        self.update_positions();
         self.store(&mut f.step.y1);
         self.slope_into(f.step.slope_mut(STAGES));
         f.step.between = Between::Hermite;

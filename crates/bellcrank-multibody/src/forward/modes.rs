@@ -70,6 +70,9 @@ impl<S: Space<T = f64>> Machine<S> {
 
     fn linearized(&mut self, f: &mut Flight<S>) -> Result<Linearized, MechanismError> {
         let basis = null_space(&f.saddle.dense_jacobian(), f.saddle.columns.len());
+        if basis.is_empty() {
+            return Ok(Linearized { unbalanced: self.unbalanced_force(f), ..Linearized::default() });
+        }
         let reduced = self.reduce(f, &basis);
         if !is_positive(&reduced.mass) {
             return Err(self.missing_mass(f));
