@@ -77,14 +77,17 @@ fn block(mass: f64, inertia: &[[f64; 3]; 3]) -> Option<[f64; 3]> {
     sides.iter().all(|side| side.is_finite() && *side > 0.0).then_some(sides)
 }
 
-/// A bar, a triangle; more points in the plane a polygon around their middle, in space the shortest tree.
+/// A bar, a triangle; more points in the plane a polygon around their middle, in space the shortest tree. Frames at one
+/// place are one point.
 fn lines(points: &[[f64; 3]], planar: bool) -> Vec<[usize; 2]> {
-    match points.len() {
+    let mut lines = match points.len() {
         0 | 1 => Vec::new(),
         2 => vec![[0, 1]],
         n if planar || n == 3 => polygon(points),
         _ => shortest_tree(points),
-    }
+    };
+    lines.retain(|&[a, b]| points[a] != points[b]);
+    lines
 }
 
 fn polygon(points: &[[f64; 3]]) -> Vec<[usize; 2]> {
@@ -145,7 +148,7 @@ fn axis(kind: &bellcrank_multibody::JointKind<f64>) -> [f64; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{block, up};
+    use super::{block, lines, up};
 
     #[test]
     fn up_is_the_axis_against_gravity() {
@@ -154,6 +157,14 @@ mod tests {
         assert_eq!(up([9.6, -2.0, 0.0], true), [-1.0, 0.0, 0.0]);
         assert_eq!((up([0.0; 3], true), up([0.0; 3], false)), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]));
     }
+    #[test]
+    fn frames_at_one_place_make_no_line() {
+        let (a, b) = ([0.1, 0.2, 0.3], [0.4, -0.2, 0.1]);
+        assert!(lines(&[a, a], false).is_empty());
+        assert_eq!(lines(&[a, a, b, b], false).len(), 1);
+        assert_eq!(lines(&[a, b], false), [[0, 1]]);
+    }
+
     #[test]
     fn a_block_has_the_moments_it_is_made_from() {
         let moments = |m: f64, [a, b, c]: [f64; 3]| [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| m * x / 12.0);
