@@ -1,6 +1,6 @@
 //! What forward dynamics asks for and answers: the door that other crates use.
 //!
-//! After [`crate::Engine::assemble`] comes [`crate::Engine::begin`], then [`crate::Engine::advance`] from output to
+//! After [`crate::Engine::assemble`] comes [`crate::Forward::begin`], then [`crate::Forward::advance`] from output to
 //! output. Whatever the steps of the integrator, the readings are those of the time that `advance` tells: positions
 //! and velocities that meet every constraint, and the accelerations and forces that go with them.
 
@@ -136,7 +136,7 @@ pub enum EventKind {
     },
 }
 
-/// Work done since [`crate::Engine::begin`].
+/// Work done since [`crate::Forward::begin`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SolverEffort {
     /// Accepted steps.

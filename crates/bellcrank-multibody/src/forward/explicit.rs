@@ -6,6 +6,7 @@
 use super::door::{Method, Surroundings};
 use super::dop853::{ERROR_3, ERROR_5, NODES, SLOPES, SOLUTION, STAGE, STAGES};
 use super::flight::Flight;
+use super::poses::{FADING, GAP, NEAR, ROUNDING, SHORT_OF};
 use super::state::{error_norm, worst_number};
 use super::step::Between;
 use crate::solver::Machine;
@@ -22,6 +23,16 @@ const STABLE: f64 = 6.1;
 pub(crate) const SHARE: f64 = 0.1;
 /// Signs of stiffness in a row that are believed.
 const STIFF: usize = 15;
+
+/// What is known of a pose ahead where constraints fade.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Pose {
+    Unknown,
+    /// So far ahead, s; the step is to pass it.
+    Over(f64),
+    /// So far ahead, s; the step is to end before it.
+    Before(f64),
+}
 
 /// How a trial of a step ended.
 enum Trial {
@@ -47,22 +58,14 @@ impl<S: Space<T = f64>> Machine<S> {
         if f.step.wished <= 0.0 {
             f.step.wished = self.first_length(f, limit, around)?;
         }
-        let fixed = f.dynamics.fixed_step;
+        let mut pose = Pose::Unknown;
         loop {
-            let wished = fixed.unwrap_or(f.step.wished).min(f.dynamics.largest_step);
-            let left = limit - f.step.t0;
-            // The last step before a limit is not a sliver.
-            let h = if wished >= left * 0.999 {
-                left
-            } else if fixed.is_none() && wished > 0.5 * left {
-                0.5 * left
-            } else {
-                wished
-            };
-            f.step.t1 = if h == left { limit } else { f.step.t0 + h };
+            let (h, wished) = self.choose_explicit(f, limit, pose);
+            f.step.over = matches!(pose, Pose::Over(_));
             match self.try_explicit(f, h, around)? {
                 Trial::Accepted { error } => {
                     f.effort.steps += 1;
+                    f.step.projects = f.saddle.weakest < NEAR;
                     let factor = if error > 0.0 { (0.9 * error.powf(-0.125)).clamp(0.333, 6.0) } else { 6.0 };
                     // A step cut short by a limit says nothing against the length wished before.
                     f.step.wished = if h < wished { f.step.wished.max(h * factor) } else { h * factor };
@@ -72,11 +75,55 @@ impl<S: Space<T = f64>> Machine<S> {
                 Trial::Rejected { part } => {
                     f.effort.rejected += 1;
                     f.step.wished = h * part;
-                    if f.step.wished < SMALLEST * f.step.t0.abs().max(1e-3) || fixed.is_some() {
+                    let fixed = f.dynamics.fixed_step.is_some();
+                    if f.step.wished < SMALLEST * f.step.t0.abs().max(1e-3) || fixed {
                         return Err(self.collapsed(f, h * part));
                     }
+                    pose = self.after_rejection(f, pose, h, around)?;
                 }
             }
+        }
+    }
+
+    /// Length of the next trial, and the length wished without limits.
+    fn choose_explicit(&self, f: &mut Flight<S>, limit: f64, pose: Pose) -> (f64, f64) {
+        let fixed = f.dynamics.fixed_step;
+        let wished = match pose {
+            Pose::Over(d) => d / GAP,
+            Pose::Before(d) => f.step.wished.min(SHORT_OF * d),
+            Pose::Unknown => fixed.unwrap_or(f.step.wished),
+        };
+        let wished = wished.min(f.dynamics.largest_step);
+        let left = limit - f.step.t0;
+        // The last step before a limit is not a sliver.
+        let h = if wished >= left * 0.999 {
+            left
+        } else if fixed.is_none() && wished > 0.5 * left && pose == Pose::Unknown {
+            0.5 * left
+        } else {
+            wished
+        };
+        f.step.t1 = if h == left { limit } else { f.step.t0 + h };
+        (h, wished)
+    }
+
+    /// Where slopes near a pose of fading constraints spoiled the step, the next one is to pass it or keep away.
+    fn after_rejection(
+        &mut self,
+        f: &mut Flight<S>,
+        pose: Pose,
+        h: f64,
+        around: &mut dyn Surroundings,
+    ) -> Result<Pose, MechanismError> {
+        f.step.projects |= f.saddle.weakest < FADING;
+        match pose {
+            Pose::Over(d) => Ok(Pose::Before(d)),
+            Pose::Before(_) => Ok(pose),
+            Pose::Unknown if f.saddle.weakest < FADING => {
+                let ahead = self.time_to_pose(f, 2.0 * h, around)?;
+                Ok(ahead.map_or(pose, |d| if d / GAP <= 2.0 * h { Pose::Over(d) } else { Pose::Before(d) }))
+            }
+            Pose::Unknown => Ok(pose),
         }
     }
 
@@ -99,6 +146,7 @@ impl<S: Space<T = f64>> Machine<S> {
         h: f64,
         around: &mut dyn Surroundings,
     ) -> Result<Trial, MechanismError> {
+        f.saddle.watch_weakness();
         for s in 1..STAGES {
             f.step.combine(h, STAGE[s]);
             if s == STAGES - 1 {
@@ -111,7 +159,8 @@ impl<S: Space<T = f64>> Machine<S> {
         f.step.combine(h, SOLUTION);
         f.step.raw.copy_from_slice(&f.step.y);
         let error = if f.dynamics.fixed_step.is_some() { 0.0 } else { self.explicit_error(f, h) };
-        if error.is_nan() || error > 1.0 {
+        let allowed = if f.step.over { (ROUNDING / (SHARE * f.dynamics.tolerance)).max(1.0) } else { 1.0 };
+        if error.is_nan() || error > allowed {
             let part = if error.is_finite() { (0.9 * error.powf(-0.125)).max(0.2) } else { 0.1 };
             return Ok(Trial::Rejected { part });
         }
@@ -132,6 +181,9 @@ impl<S: Space<T = f64>> Machine<S> {
         self.time = if node == 1.0 { before(f.step.t1) } else { f.step.t0 + node * h };
         if node == 0.0 {
             self.time = after(f.step.t0);
+        }
+        if f.step.projects && !self.project_stage(f, around)? {
+            return Ok(false);
         }
         match self.accelerate(f, around) {
             Err(error) if h <= 1e-9 * f.step.t0.abs().max(1e-3) => return Err(error),

@@ -16,6 +16,7 @@ mod locks;
 mod machine;
 mod mixing;
 mod modes;
+mod poses;
 mod project;
 mod saddle;
 mod start;

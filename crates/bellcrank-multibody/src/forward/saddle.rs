@@ -18,11 +18,13 @@ use bellcrank_math::linalg::{BandLu, band_ordering};
 /// Below this many unknowns a dense factorization is the fastest band.
 const DENSE: usize = 32;
 /// Pivot ratios below this mean that a mass is missing, or an equation depends on others.
-const SINGULAR: f64 = 1e-12;
-/// Below this the regularized system is taken.
-const WEAK: f64 = 1e-9;
-/// Compliance of dependent equations, scaled.
+const SINGULAR: f64 = 1e-14;
+/// Below this the regularized system is taken, and no sooner: constraints that fade near a stretched pose must hold
+/// on to the machine all the way, or it goes over to another branch.
+const WEAK: f64 = 1e-13;
+/// Compliance of equations that depend on others by structure, scaled; and of those that do so for an instant.
 const COMPLIANCE: f64 = 1e-7;
+const PASSING: f64 = 1e-12;
 /// Refinements of a regularized solution.
 const REFINEMENTS: usize = 4;
 
@@ -61,6 +63,9 @@ pub(crate) struct Saddle {
     pub(crate) redundant: bool,
     /// The last factorization is a regularized one.
     regularized: bool,
+    /// Pivot ratio of the last factorization, and the least since [`Saddle::watch_weakness`].
+    pub(crate) ratio: f64,
+    pub(crate) weakest: f64,
     right: Vec<f64>,
     solution: Vec<f64>,
     residual: Vec<f64>,
@@ -120,6 +125,8 @@ impl Saddle {
             mass_scale: 1.0,
             redundant,
             regularized: false,
+            ratio: 1.0,
+            weakest: 1.0,
             right: vec![0.0; size],
             solution: vec![0.0; size],
             residual: vec![0.0; size],
@@ -240,18 +247,32 @@ impl Saddle {
     /// Factors what was filled in. `false` where even the regularized system is singular: a mass is missing.
     #[inline]
     pub(crate) fn factor(&mut self) -> bool {
-        self.by_square = self.factor_square() > WEAK;
+        let regular = self.factor_as_needed();
+        self.weakest = self.weakest.min(self.ratio);
+        regular
+    }
+
+    /// The least pivot ratio is taken from here on.
+    pub(crate) fn watch_weakness(&mut self) {
+        self.weakest = 1.0;
+    }
+
+    fn factor_as_needed(&mut self) -> bool {
+        self.ratio = self.factor_square();
+        self.by_square = self.ratio > WEAK;
         if self.by_square {
             self.regularized = false;
             return true;
         }
         if !self.redundant {
-            let ratio = self.factor_with(0.0);
-            if ratio > WEAK {
+            self.ratio = self.factor_with(0.0);
+            if self.ratio > WEAK {
                 return true;
             }
         }
-        self.factor_with(COMPLIANCE) > SINGULAR
+        let compliance = if self.redundant { COMPLIANCE } else { PASSING };
+        self.ratio = self.factor_with(compliance);
+        self.ratio > SINGULAR
     }
 
     /// J alone, where it is square; 0 where it is not.

@@ -39,6 +39,10 @@ pub(crate) struct Step {
     /// Successive signs of stiffness, and of none.
     pub(crate) stiff: usize,
     pub(crate) calm: usize,
+    /// Slopes are taken on the constraints: near poses where these fade.
+    pub(crate) projects: bool,
+    /// The step at hand is to pass such a pose.
+    pub(crate) over: bool,
     /// The implicit method has the word.
     pub(crate) implicit: bool,
     /// The first slope is still to be evaluated: after events and breaks.
@@ -66,6 +70,8 @@ impl Step {
             last_argument: vec![0.0; n],
             stiff: 0,
             calm: 0,
+            projects: false,
+            over: false,
             implicit: false,
             stale: true,
             crossing: None,

@@ -227,3 +227,26 @@ fn quaternions_stay_units_in_both_methods() {
         assert!((length - 1.0).abs() < 1e-14, "the top has grown to {length}");
     }
 }
+
+#[test]
+fn rows_of_four_bars_stay_on_their_branch() {
+    // Uprights of all four-bars stay parallel through the stretched poses, whatever the tolerance.
+    for (n, tolerances) in [(2, &[1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-12][..]), (40, &[1e-5, 1e-7, 1e-8, 1e-9][..])] {
+        for &tolerance in tolerances {
+            let mut e = engine_for(true, &crate::machines::chain_from(n, std::f64::consts::FRAC_PI_2)).expect("builds");
+            e.assemble(&[]).expect("assembles");
+            let velocities = vec![(coordinate(0), -1.0)];
+            let dynamics = Dynamics { velocities, tolerance, breaks: vec![3.0], ..Dynamics::free() };
+            e.begin(&dynamics, &mut Nothing).expect("begins");
+            run_to(&mut *e, 3.0, &mut Nothing);
+            let omega = |upright: usize| e.body(bellcrank_multibody::BodyId(1 + 2 * upright)).omega[2];
+            let apart = (1..=n).fold(0.0, |m: f64, i| m.max((omega(i) - omega(0)).abs()));
+            assert!(apart < 1e-9, "{n} four-bars, tolerance {tolerance}: {apart}");
+            // Upright at the start: the energy gives the speed at any angle.
+            let (count, angle) = (n as f64, e.coordinate(coordinate(0)).position);
+            let (inertia, weight) = ((count + 1.0) / 3.0 + count, 9.81 * ((count + 1.0) / 2.0 + count));
+            let speed = (1.0 + 2.0 * weight / inertia * (1.0 - angle.sin())).sqrt();
+            assert!((omega(0).abs() - speed).abs() < 1e3 * tolerance.max(1e-10));
+        }
+    }
+}
