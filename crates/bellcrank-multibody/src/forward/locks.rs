@@ -79,31 +79,43 @@ impl<S: Space<T = f64>> Machine<S> {
         self.accelerate(f, around)?;
         self.answer_forces(f);
         self.note_unwrapped();
+        self.watch_into(f, around);
+        let beside = self.changed_beside(f, k);
         let mut happened = Vec::new();
+        self.act_on_one(f, k, f.watching.rising, around, &mut happened)?;
+        for (other, rising) in beside {
+            self.act_on_one(f, other, rising, around, &mut happened)?;
+        }
+        self.settle_locks(f, around, &mut happened)?;
+        self.begin_anew(f, around, &happened)
+    }
+
+    fn act_on_one(
+        &mut self,
+        f: &mut Flight<S>,
+        k: usize,
+        rising: bool,
+        around: &mut dyn Surroundings,
+        happened: &mut Vec<EventKind>,
+    ) -> Result<(), MechanismError> {
         match f.watching.list[k] {
-            Watch::User { index } => {
-                happened.push(EventKind::Switch { index, rising: f.watching.rising });
-            }
+            Watch::User { index } => happened.push(EventKind::Switch { index, rising }),
             Watch::Limit { element, upper } if !self.is_hard(element) => {
                 let force = ForceId(element);
-                happened.push(if f.watching.rising {
-                    EventKind::Release { force, upper }
-                } else {
-                    EventKind::Contact { force, upper }
-                });
+                let release = EventKind::Release { force, upper };
+                happened.push(if rising { release } else { EventKind::Contact { force, upper } });
             }
             Watch::Limit { element, upper } => {
                 if f.acts[element] == (Act::Closed { upper }) {
                     self.unlock(f, element, Act::Open);
                     happened.push(EventKind::Release { force: ForceId(element), upper });
                 } else {
-                    self.hit(f, element, upper, around, &mut happened)?;
+                    self.hit(f, element, upper, around, happened)?;
                 }
             }
-            Watch::Slip { element } => self.slip_event(f, element, around, &mut happened)?,
+            Watch::Slip { element } => self.slip_event(f, element, rising, around, happened)?,
         }
-        self.settle_locks(f, around, &mut happened)?;
-        self.begin_anew(f, around, &happened)
+        Ok(())
     }
 
     /// After velocities or locks have changed: the state at the end of the step, and the events to tell.
@@ -233,6 +245,7 @@ impl<S: Space<T = f64>> Machine<S> {
         &mut self,
         f: &mut Flight<S>,
         element: usize,
+        rising: bool,
         around: &mut dyn Surroundings,
         happened: &mut Vec<EventKind>,
     ) -> Result<(), MechanismError> {
@@ -255,7 +268,7 @@ impl<S: Space<T = f64>> Machine<S> {
                     self.give_way(f, element, happened);
                 }
             }
-            _ => happened.push(EventKind::Slip { force, rising: f.watching.rising }),
+            _ => happened.push(EventKind::Slip { force, rising }),
         }
         Ok(())
     }

@@ -88,11 +88,13 @@ impl<S: Space<T = f64>> Machine<S> {
         f.step.interpolate(time);
         self.load(f);
         self.time = time;
+        self.take_drives(f, around)?;
+        // What is watched must be what the state will be: between the ends it lies off the constraints by the tolerance.
+        let _ = self.project_positions(f);
         if self.watches_forces(f) {
             self.accelerate(f, around)?;
             self.answer_forces(f);
         } else {
-            self.take_drives(f, around)?;
             self.update_positions();
             kinematics::velocities(&self.mech, &self.v, &mut self.x);
         }
@@ -174,6 +176,13 @@ impl<S: Space<T = f64>> Machine<S> {
     fn fires(&self, f: &Flight<S>, k: usize, a: f64, b: f64) -> bool {
         let slack = f.watching.slack[k];
         if self.falls_only(f, k) { a >= -slack && b < -slack } else { (a >= 0.0) != (b >= 0.0) }
+    }
+
+    /// Functions of both directions beside `k` that have changed their sign with it, and whether from below.
+    pub(crate) fn changed_beside(&self, f: &Flight<S>, k: usize) -> Vec<(usize, bool)> {
+        let Watching { first, last, .. } = &f.watching;
+        let changed = |&j: &usize| j != k && !self.falls_only(f, j) && (first[j] >= 0.0) != (last[j] >= 0.0);
+        (0..first.len()).filter(changed).map(|j| (j, first[j] < 0.0)).collect()
     }
 
     /// Only a fall through zero is an event.

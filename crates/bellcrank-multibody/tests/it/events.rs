@@ -250,3 +250,41 @@ fn rows_of_four_bars_stay_on_their_branch() {
         }
     }
 }
+
+#[test]
+fn soft_stops_that_are_touched_together_are_both_told() {
+    // Two sliders that a coupler ties: both touch their stops at one time.
+    let soft = |joint: usize, min: f64| Force::Stop {
+        coordinate: coordinate(joint),
+        min: Some(constant(min)),
+        max: None,
+        stiffness: constant(4e5),
+        damping: constant(50.0),
+        restitution: None,
+    };
+    let slide = |body: usize, y: f64| {
+        started(joint(JointKind::Prismatic { axis: X }, at(0, 0.0, y, 0.0), at(body, 0.0, 0.0, 0.0)), &[0.1])
+    };
+    let tie = bellcrank_multibody::Joint {
+        kind: JointKind::Coupler { a: coordinate(0), b: coordinate(1), ratio: 1.0, offset: 0.0 },
+        places: None,
+        start: Vec::new(),
+        at_start: false,
+    };
+    let b = blueprint(
+        [-9.81, 0.0, 0.0],
+        vec![body(1.3, [0.0, 0.0], 0.01), body(2.1, [0.0, 0.0], 0.01)],
+        vec![slide(1, 0.0), slide(2, 0.3), tie],
+        vec![soft(0, 0.02), soft(1, 0.02)],
+    );
+    let mut e = engine_for(true, &b).expect("builds");
+    e.assemble(&[]).expect("assembles");
+    e.begin(&Dynamics { tolerance: 1e-5, ..Dynamics::free() }, &mut Nothing).expect("begins");
+    let events = run_to(&mut *e, 0.2, &mut Nothing);
+    let touch = (2.0 * 0.08 / 9.81_f64).sqrt();
+    let contacts: Vec<&Event> = events.iter().filter(|e| matches!(e.kind, EventKind::Contact { .. })).collect();
+    assert!(contacts.len() >= 2, "{events:?}");
+    assert!(contacts[..2].iter().all(|e| (e.time - touch).abs() < 1e-9), "{events:?} {touch}");
+    let releases = events.iter().filter(|e| matches!(e.kind, EventKind::Release { .. })).count();
+    assert_eq!(releases % 2, 0, "{events:?}");
+}
