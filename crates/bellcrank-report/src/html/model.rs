@@ -31,7 +31,7 @@ fn parameters(rows: &[ParameterRow]) -> String {
     }
     let rows: String = rows.iter().map(parameter).collect();
     format!(
-        "<div class=\"scroll\"><h3>Parameters</h3>\n<table class=\"parameters\">\n<thead><tr>\
+        "<div class=\"scroll tall\"><h3>Parameters</h3>\n<table class=\"parameters\">\n<thead><tr>\
          <th scope=\"col\">Name</th><th scope=\"col\" class=\"n\">Value</th>\
          <th scope=\"col\">Unit</th><th scope=\"col\" class=\"n\">Min</th>\
          <th scope=\"col\" class=\"n\">Max</th><th scope=\"col\">As written</th>\
