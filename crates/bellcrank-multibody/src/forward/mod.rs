@@ -1,9 +1,9 @@
 //! Forward dynamics: what forces make of a machine in time.
 //!
-//! `door` is what others see, `machine` the way from output to output. `saddle` solves masses and constraints together,
-//! (`articulated` does for a long tree without loops),
-//! `acceleration` and `project` use them; `start` makes the beginning consistent. Time is stepped by `explicit` or
-//! `implicit` (by the tangents of `stiffness`); `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
+//! `door` is what others see, `machine` the way from output to output. `saddle` solves masses and constraints together
+//! (`articulated` does for a long tree without loops), `acceleration` and `project` use them; `start` makes the beginning
+//! consistent. Time is stepped by `explicit` (over stretched `poses` with care) or `implicit` (by the tangents of
+//! `stiffness`); `watch` looks for events in a step, `locks` does what they ask for. `modes` linearizes.
 
 mod acceleration;
 mod articulated;

@@ -8,7 +8,7 @@
 
 use crate::mass_matrix::MassMatrix;
 use crate::mechanism::{Mechanism, Source};
-use crate::solver::{Entry, LARGE, OUT, Prescribed, RANK, Rows, source_entries};
+use crate::solver::{Entry, LARGE, OUT, Prescribed, RANK, Rows, Unknowns, source_entries};
 use crate::topology::Motion;
 use crate::workspace::NodeState;
 use bellcrank_math::Space;
@@ -79,7 +79,7 @@ impl Saddle {
         sources: &[Source],
         redundant: bool,
     ) -> Self {
-        Self::over(mech, rows, mass, unknowns(mech, sources), redundant)
+        Self::over(mech, rows, mass, Unknowns::new(mech, sources), redundant)
     }
 
     /// This system with one coordinate more as a row, whether it is one of the tree or not: for impulses along it.
@@ -92,7 +92,8 @@ impl Saddle {
     ) -> Self {
         let (free, columns, count) = (self.free.clone(), self.columns.clone(), self.rows + 1);
         let prescribed = self.prescribed.iter().copied().chain([Prescribed::Row(self.rows, source)]).collect();
-        let mut system = Self::over(mech, rows, mass, (free, columns, prescribed, count), self.redundant);
+        let mut system =
+            Self::over(mech, rows, mass, Unknowns { prescribed, free, columns, rows: count }, self.redundant);
         system.mass_scale = self.mass_scale;
         system.row_scale[..self.rows].copy_from_slice(&self.row_scale);
         system
@@ -102,7 +103,7 @@ impl Saddle {
         mech: &Mechanism<S>,
         rows: &Rows<S>,
         mass: &MassMatrix<S>,
-        (free, columns, prescribed, count): Unknowns,
+        Unknowns { free, columns, prescribed, rows: count }: Unknowns,
         redundant: bool,
     ) -> Self {
         let (n, size) = (columns.len(), columns.len() + count);
@@ -524,32 +525,4 @@ impl Saddle {
     pub(crate) fn unit(&self, i: usize) -> f64 {
         self.column_scale[self.columns[i]]
     }
-}
-
-type Unknowns = (Vec<usize>, Vec<usize>, Vec<Prescribed>, usize);
-
-fn unknowns<S: Space<T = f64>>(mech: &Mechanism<S>, sources: &[Source]) -> Unknowns {
-    let mut free = vec![0; mech.nv];
-    let mut count = mech.rows();
-    let mut prescribed = Vec::with_capacity(sources.len());
-    for s in sources {
-        prescribed.push(match s {
-            Source::Node(n) => {
-                free[mech.nodes[*n].v] = OUT;
-                Prescribed::Node(*n)
-            }
-            measured => {
-                count += 1;
-                Prescribed::Row(count - 1, *measured)
-            }
-        });
-    }
-    let mut columns = Vec::new();
-    for (v, f) in free.iter_mut().enumerate() {
-        if *f != OUT {
-            *f = columns.len();
-            columns.push(v);
-        }
-    }
-    (free, columns, prescribed, count)
 }

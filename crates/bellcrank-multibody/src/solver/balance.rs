@@ -1,6 +1,6 @@
 //! The inward pass with the wrenches of loops, couplings, drives and friction, over any scalar.
 
-use super::system::Prescribed;
+use super::unknowns::Prescribed;
 use crate::attitude::spin_of_rpy;
 use crate::constraint::Measure;
 use crate::dynamics;

@@ -5,7 +5,7 @@
 //! tested with the velocities that unit rates of its drives would give.
 
 use super::machine::{Machine, Stage};
-use super::system::Prescribed;
+use super::unknowns::Prescribed;
 use crate::forces::{Element, read};
 use crate::workspace::NodeState;
 use crate::{Checks, kinematics};

@@ -2,7 +2,8 @@
 
 use super::balance::{Balance, Demands, turn_attitude_drives};
 use super::machine::{Machine, Prepared, Stage};
-use super::system::{LinearSystem, Prescribed, SINGULAR};
+use super::system::{LinearSystem, SINGULAR};
+use super::unknowns::Prescribed;
 use crate::dynamics;
 use crate::forces::{Element, Friction, Present, apply_all, friction_direction, friction_effort, read};
 use crate::mechanism::Source;

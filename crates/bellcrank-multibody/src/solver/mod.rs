@@ -14,6 +14,7 @@ mod redundancy;
 mod statics;
 mod system;
 mod tangent;
+mod unknowns;
 
 pub(crate) use assembly::SparseRows;
 pub(crate) use balance::{Demands, turn_attitude_drives};
@@ -21,5 +22,5 @@ pub(crate) use freedom::{LARGE, RANK};
 pub(crate) use jacobian::{Entry, Rows, source_entries};
 pub(crate) use machine::Stage;
 pub use machine::{Machine, engine_for};
-pub(crate) use system::{OUT, Prescribed};
 pub(crate) use tangent::{Along, Slip, Tangent};
+pub(crate) use unknowns::{OUT, Prescribed, Unknowns};

@@ -1,7 +1,8 @@
 //! Position by continuation: predict, correct by Newton, halve the step when it does not contract.
 
 use super::machine::{Machine, Prepared};
-use super::system::{LinearSystem, Prescribed, SINGULAR};
+use super::system::{LinearSystem, SINGULAR};
+use super::unknowns::Prescribed;
 use crate::attitude::{normalize, rotation_vector, wrap};
 use crate::constraint::Measure;
 use crate::mechanism::Source;

@@ -1,7 +1,8 @@
 //! Velocities and accelerations: `J v = [0; ṡ]`, `J a = [−ġ_v; s̈ − ḋ_v]`.
 
 use super::machine::{Machine, Prepared, Stage};
-use super::system::{LinearSystem, Prescribed, SINGULAR};
+use super::system::{LinearSystem, SINGULAR};
+use super::unknowns::Prescribed;
 use crate::attitude::spin_of_rpy;
 use crate::constraint::Measure;
 use crate::kinematics;

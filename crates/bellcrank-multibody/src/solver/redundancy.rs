@@ -7,7 +7,7 @@
 
 use super::balance::Demands;
 use super::machine::{Machine, Prepared};
-use super::system::Prescribed;
+use super::unknowns::Prescribed;
 use bellcrank_math::{Space, linalg::dense};
 
 /// A component changes with self-stress when it exceeds this part of the largest change.

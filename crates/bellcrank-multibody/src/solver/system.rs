@@ -4,26 +4,16 @@
 //! `J_f δ = rhs` over the free columns, and its transpose for the forces.
 
 use super::jacobian::{Entry, Rows, source_entries};
+use super::unknowns::{OUT, Prescribed, Unknowns};
 use crate::mechanism::{Mechanism, Source};
 use crate::workspace::NodeState;
 use bellcrank_math::Space;
 use bellcrank_math::linalg::{BandLu, Qr, band_ordering};
 
-/// No place: a prescribed component is no unknown.
-pub(crate) const OUT: usize = usize::MAX;
 /// Below this many unknowns a dense factorization is the fastest band.
 const DENSE: usize = 48;
 /// Pivot ratios below this mean singular.
 pub(crate) const SINGULAR: f64 = 1e-11;
-
-/// How a prescribed coordinate enters.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Prescribed {
-    /// A tree coordinate, taken out of the unknowns.
-    Node(usize),
-    /// A row of its own: index among all rows, and what it measures.
-    Row(usize, Source),
-}
 
 #[derive(Clone, Debug)]
 enum Factor {
@@ -60,28 +50,7 @@ pub(crate) struct LinearSystem {
 impl LinearSystem {
     /// `None` when there are more unknowns than equations.
     pub(crate) fn new<S: Space<T = f64>>(mech: &Mechanism<S>, rows: &Rows<S>, sources: &[Source]) -> Option<Self> {
-        let mut free = vec![0; mech.nv];
-        let mut count = mech.rows();
-        let mut prescribed = Vec::with_capacity(sources.len());
-        for s in sources {
-            prescribed.push(match s {
-                Source::Node(n) => {
-                    free[mech.nodes[*n].v] = OUT;
-                    Prescribed::Node(*n)
-                }
-                measured => {
-                    count += 1;
-                    Prescribed::Row(count - 1, *measured)
-                }
-            });
-        }
-        let mut columns = Vec::new();
-        for (v, f) in free.iter_mut().enumerate() {
-            if *f != OUT {
-                *f = columns.len();
-                columns.push(v);
-            }
-        }
+        let Unknowns { prescribed, free, columns, rows: count } = Unknowns::new(mech, sources);
         if count < columns.len() {
             return None;
         }

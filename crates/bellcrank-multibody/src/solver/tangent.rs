@@ -8,7 +8,8 @@
 use super::balance::{Balance, Demands};
 use super::machine::{Machine, Stage};
 use super::readings::Solved;
-use super::system::{LinearSystem, Prescribed, SINGULAR};
+use super::system::{LinearSystem, SINGULAR};
+use super::unknowns::Prescribed;
 use crate::attitude::{quaternion_of, quaternion_product, spin_of_rpy};
 use crate::constraint::Measure;
 use crate::forces::{Element, Output, Present, apply_all, friction_direction, friction_effort, read};
