@@ -4,6 +4,7 @@
 //! No mechanics: what is stored was computed elsewhere.
 
 mod cells;
+mod contour;
 mod csv;
 mod drawing;
 mod events;
@@ -22,6 +23,7 @@ mod table;
 mod unit;
 
 pub use cells::{Field, TextTable, write_text_csv};
+pub use contour::{Contour, ContourField, ContourMark, ContourShape};
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
 pub use events::{Ended, Event, EventKind, Events};

@@ -1,6 +1,6 @@
 //! What one study leaves.
 
-use crate::{Animation, ParameterRow, Table};
+use crate::{Animation, Contour, ParameterRow, Table};
 
 /// Why a study stopped before its end.
 #[derive(Clone, Debug)]
@@ -47,6 +47,8 @@ pub struct StudyResult {
     pub events: Option<crate::Events>,
     /// What it found beside its rows: of studies over another study, and modes.
     pub findings: Option<crate::Findings>,
+    /// Pictures of parts with stress or mode shapes on them.
+    pub contours: Vec<Contour>,
     /// Sentences for the reader.
     pub warnings: Vec<String>,
     /// Solver effort by name (`newton_iterations`, `factorizations`, ...).

@@ -9,6 +9,7 @@ pub mod dense;
 mod lu;
 mod ordering;
 mod qr;
+pub mod sparse;
 
 pub use lu::BandLu;
 pub use ordering::{Ordering, band_ordering};

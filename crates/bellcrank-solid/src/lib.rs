@@ -1,0 +1,14 @@
+//! Links as solids.
+//!
+//! Reading order: [`Link`] (what an engineer says: eyes, webs, plates, cuts), [`Stack`] (the solid as
+//! layers of one plane arrangement of lines and arcs, from which mass properties, faces and meshes follow
+//! without another boolean operation), [`Revolved`]. Everything is generic over the scalar, so that mass
+//! properties carry exact derivatives by any parameter. No joints, no files, no units: lengths are in m.
+
+mod link;
+mod revolved;
+mod stack;
+
+pub use link::{Bar, Corner, Cut, CutShape, Eye, Link, Plate, Profile, Web};
+pub use revolved::Revolved;
+pub use stack::{Bore, Cell, Curve, Edge, Stack};
