@@ -9,6 +9,9 @@ pub struct Contour {
     pub title: String,
     /// Places of the surface's nodes, m.
     pub nodes: Vec<[f32; 3]>,
+    /// Numbers of those nodes in the mesh files that are exported, for the reader who goes on there; empty where
+    /// there are none.
+    pub numbers: Vec<u32>,
     /// Triangles between nodes, counter-clockwise seen from outside. Curved faces come already divided.
     pub triangles: Vec<[u32; 3]>,
     /// Edges of elements, to be drawn as lines: pairs of nodes.
