@@ -66,7 +66,7 @@ fn drawn_body(built: &Built, index: usize, body: &Body) -> DrawnBody {
     let numbers = &built.blueprint.bodies[index];
     let center = (index > 0 && numbers.mass > 0.0).then_some(numbers.center);
     let block = center.and_then(|_| block(numbers.mass, &numbers.inertia));
-    DrawnBody { name: body.name.clone(), points, lines, center, block }
+    DrawnBody { name: body.name.clone(), points, lines, center, block, surface: None }
 }
 
 /// Sides of the block with this mass (kg) and these moments (kg·m²) about its middle: Ixx = m(b² + c²)/12, ...

@@ -32,6 +32,17 @@ pub struct DrawnBody {
     /// Sides (m, along body axes) of the block around the centre of mass that has the body's mass and moments of
     /// inertia; none where no block has them.
     pub block: Option<[f64; 3]>,
+    /// Its real form, where the model has it.
+    pub surface: Option<Surface>,
+}
+
+/// The surface of a body, body axes, m. Curved faces come divided; neighbours share their points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// Corners.
+    pub points: Vec<[f64; 3]>,
+    /// Triangles between them, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 /// A joint symbol that moves with its first body.

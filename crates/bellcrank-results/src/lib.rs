@@ -25,7 +25,7 @@ mod unit;
 pub use cells::{Field, TextTable, write_text_csv};
 pub use contour::{Contour, ContourField, ContourMark, ContourShape};
 pub use csv::{heading, write_csv};
-pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind};
+pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind, Surface};
 pub use events::{Ended, Event, EventKind, Events};
 pub use finding_tables::{event_table, finding_tables};
 pub use findings::*;

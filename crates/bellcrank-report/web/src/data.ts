@@ -33,7 +33,9 @@ export interface Solid {
     | { rod: [V3, V3]; radius: number; round: boolean }
     | { ball: V3; radius: number }
     | { block: V3; along: V3; across: V3; size: V3 }
-    | { plate: V3[]; normal: V3; radius: number; thickness: number };
+    | { plate: V3[]; normal: V3; radius: number; thickness: number }
+    // Coordinates and corners one after another: the real form of a body.
+    | { surface: number[]; triangles: number[] };
 }
 
 export interface Drawing {

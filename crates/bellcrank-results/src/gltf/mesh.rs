@@ -1,6 +1,6 @@
 //! Forms as triangles.
 
-use super::plate;
+use super::{plate, surface};
 use crate::Shape;
 use crate::solid::vector::{V3, along, cross, norm, perpendicular, sub, unit};
 
@@ -33,6 +33,7 @@ impl Mesh {
             Shape::Plate { points, normal, radius, thickness } if *radius > 0.0 => {
                 plate::push(self, points, *normal, *radius, *thickness);
             }
+            Shape::Surface(of) => surface::push(self, of),
             _ => {}
         }
     }

@@ -10,6 +10,7 @@ mod materials;
 mod mesh;
 mod motion;
 mod plate;
+mod surface;
 
 use std::io::{self, Write};
 

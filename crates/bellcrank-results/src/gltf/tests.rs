@@ -178,3 +178,26 @@ fn upright_rows_are_right_handed_and_turn_up_to_y() {
         }
     }
 }
+
+#[test]
+fn real_forms_are_smooth_only_where_they_are_flat_enough() {
+    let mut sharp = Mesh::default();
+    let tetrahedron = sample::tetrahedron();
+    sharp.push(&crate::Shape::Surface(tetrahedron));
+    assert_eq!((sharp.positions.len(), sharp.indices.len()), (12, 12));
+    // Each of the three corners of a face has its normal.
+    for face in sharp.normals.chunks(3) {
+        assert!(face.iter().all(|normal| (0..3).all(|k| (normal[k] - face[0][k]).abs() < 1e-6)), "{face:?}");
+    }
+    // Two strips of a cylinder, 20 degrees apart.
+    let around: Vec<[f64; 2]> = [0.0f64, 20.0, 40.0].map(|degrees| degrees.to_radians().sin_cos().into()).to_vec();
+    let points = around.iter().flat_map(|[sin, cos]| [[*cos, *sin, 0.0], [*cos, *sin, 1.0]]).collect();
+    let strips = crate::Surface { points, triangles: vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]] };
+    let mut smooth = Mesh::default();
+    smooth.push(&crate::Shape::Surface(strips));
+    let [sin, cos] = around[1].map(|x| x as f32);
+    let ridge = smooth.positions.iter().zip(&smooth.normals).filter(|(at, _)| (at[1] - sin).abs() < 1e-6);
+    for (_, normal) in ridge {
+        assert!((normal[0] - cos).abs() < 1e-6 && (normal[1] - sin).abs() < 1e-6, "{normal:?}");
+    }
+}

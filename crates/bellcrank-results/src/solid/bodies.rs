@@ -10,14 +10,38 @@ pub(super) const STEP: f64 = 1.4;
 
 pub(super) fn parts(plan: &Plan<'_>) -> Vec<Solid> {
     let bodies = plan.drawing.bodies.iter().enumerate().skip(1);
-    bodies
-        .flat_map(|(index, body)| if plan.planar() { link(plan, index, body) } else { frame(plan, index, body) })
-        .collect()
+    let of = |(index, body): (usize, &DrawnBody)| match &body.surface {
+        Some(surface) => {
+            vec![Solid { body: index, shape: Shape::Surface(surface.clone()), paint: Paint::Body }]
+        }
+        None if plan.planar() => link(plan, index, body),
+        None => frame(plan, index, body),
+    };
+    bodies.flat_map(of).collect()
 }
 
-/// Height of a body's layer in the plane, m; 0 in space.
+/// Height of a body's layer in the plane, m; 0 in space. Real forms lie where they are, drawn links beside them.
 pub(super) fn height(plan: &Plan<'_>, body: usize) -> f64 {
-    if plan.planar() { f64::from(plan.layers.layer(body)) * STEP * plan.scale.bar } else { 0.0 }
+    if !plan.planar() || plan.surface(body).is_some() {
+        return 0.0;
+    }
+    let layer = f64::from(plan.layers.layer(body));
+    let room = (plan.scale.thickest - THICK * plan.scale.bar / 2.0).max(0.0);
+    layer.signum() * if layer == 0.0 { 0.0 } else { room } + layer * STEP * plan.scale.bar
+}
+
+/// Lowest and highest place of a body in the plane, m.
+pub(super) fn extent(plan: &Plan<'_>, body: usize) -> [f64; 2] {
+    match plan.surface(body) {
+        Some(surface) => surface
+            .points
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| [low.min(p[2]), high.max(p[2])]),
+        None => {
+            let half = THICK * plan.scale.bar / 2.0;
+            [height(plan, body) - half, height(plan, body) + half]
+        }
+    }
 }
 
 /// One plate around the points that have lines.

@@ -18,7 +18,13 @@ impl Layers {
         let groups = groups(drawing);
         let meets = meetings(drawing, &groups);
         let mut of: Vec<Option<i32>> = vec![None; count];
+        // Real forms are where they are.
+        let real = |body: &usize| drawing.bodies[*body].surface.is_some();
+        (1..count).filter(real).for_each(|body| of[groups[body]] = Some(0));
         for group in (1..count).filter(|body| groups[*body] == *body) {
+            if of[group].is_some() {
+                continue;
+            }
             let taken: Vec<i32> = meets[group].iter().filter_map(|other| of[*other]).collect();
             of[group] = nearest_free(&taken);
         }

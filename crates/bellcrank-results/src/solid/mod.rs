@@ -10,7 +10,7 @@ mod scale;
 mod travel;
 pub(crate) mod vector;
 
-use crate::{Animation, Drawing, SpaceKind};
+use crate::{Animation, Drawing, SpaceKind, Surface};
 use layers::Layers;
 use scale::Scale;
 use vector::V3;
@@ -69,6 +69,8 @@ pub enum Shape {
         /// Thickness, half of it on each side of the plane.
         thickness: f64,
     },
+    /// The real form of a body. Neighbouring triangles meet smoothly where they are less than 30 degrees apart.
+    Surface(Surface),
 }
 
 /// What a part is painted as.
@@ -121,6 +123,11 @@ impl Plan<'_> {
         matches!(self.drawing.space, SpaceKind::Planar)
     }
 
+    /// The real form of a body.
+    fn surface(&self, body: usize) -> Option<&Surface> {
+        self.drawing.bodies.get(body)?.surface.as_ref()
+    }
+
     /// Middle and sides of the block that stands for a body without form which hangs on one joint at most: a load, a
     /// jaw, a latch.
     fn block(&self, body: usize) -> Option<(V3, V3)> {
@@ -150,6 +157,7 @@ impl Shape {
             Shape::Ball { center, radius } => all(&[*center]) && radius.is_finite(),
             Shape::Block { center, along, across, size } => all(&[*center, *along, *across, *size]),
             Shape::Plate { points, normal, .. } => all(points) && all(&[*normal]),
+            Shape::Surface(surface) => all(&surface.points),
         }
     }
 }

@@ -35,6 +35,7 @@ pub(crate) fn drawing(space: SpaceKind) -> Drawing {
         lines: if k == 0 { Vec::new() } else { vec![[0, 1], [1, 2], [2, 0]] },
         center: None,
         block: None,
+        surface: None,
     };
     let joint = |(k, kind): (usize, &&str)| DrawnJoint {
         name: format!("J{k}"),
@@ -90,4 +91,10 @@ pub(crate) fn run(space: SpaceKind, axis: &str) -> RunResult {
         studies: vec![study],
         warnings: Vec::new(),
     }
+}
+
+/// A form of its own: the faces of a tetrahedron.
+pub(crate) fn tetrahedron() -> crate::Surface {
+    let points = vec![[0.01, -0.02, -0.05], [0.31, 0.03, -0.05], [0.11, 0.18, -0.05], [0.12, 0.07, 0.05]];
+    crate::Surface { points, triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]] }
 }

@@ -11,6 +11,8 @@ pub(super) struct Scale {
     /// Radius of a bar where nothing smaller is asked for, m.
     pub(super) bar: f64,
     bodies: Vec<f64>,
+    /// How far real forms stand out of the plane, m.
+    pub(super) thickest: f64,
 }
 
 impl Scale {
@@ -26,7 +28,7 @@ impl Scale {
         let share = if matches!(drawing.space, SpaceKind::Planar) { 0.021 } else { 0.014 };
         let bar = (share * reach).min(0.11 * median(&spans).unwrap_or(reach));
         let of_body = |span: &f64| if *span > 0.0 { bar.min(0.13 * span) } else { bar };
-        Some(Scale { bar, bodies: spans.iter().map(of_body).collect() })
+        Some(Scale { bar, bodies: spans.iter().map(of_body).collect(), thickest: thickest(drawing) })
     }
 
     /// Radius of the bars of a body, m.
@@ -38,6 +40,11 @@ impl Scale {
     pub(super) fn between(&self, a: usize, b: usize) -> f64 {
         self.radius(a).min(self.radius(b))
     }
+}
+
+fn thickest(drawing: &Drawing) -> f64 {
+    let points = drawing.bodies.iter().filter_map(|body| body.surface.as_ref()).flat_map(|surface| &surface.points);
+    points.map(|p| p[2].abs()).fold(0.0, f64::max)
 }
 
 /// Frames spread over the motion.

@@ -124,3 +124,36 @@ fn a_load_is_the_block_of_its_inertia() {
     drawing.joints.push(again);
     assert_eq!(block_of(&drawing), None, "two joints: a link, which its joints show");
 }
+
+/// A real form in place of what is drawn for want of one.
+fn with_surface(space: SpaceKind) -> Drawing {
+    let mut drawing = drawing(space);
+    drawing.bodies[2].surface = Some(super::sample::tetrahedron());
+    drawing
+}
+
+#[test]
+fn a_real_form_takes_the_place_of_a_drawn_one() {
+    for space in [SpaceKind::Planar, SpaceKind::Spatial] {
+        let drawing = with_surface(space);
+        let parts = solids(&drawing, &animation(drawing.bodies.len()));
+        let own: Vec<_> = parts.iter().filter(|part| part.body == 2 && part.paint == Paint::Body).collect();
+        assert!(own.iter().any(|part| matches!(part.shape, Shape::Surface(_))), "{space:?}");
+        assert!(!own.iter().any(|part| matches!(part.shape, Shape::Plate { .. })), "{space:?}");
+    }
+}
+
+#[test]
+fn drawn_links_lie_beside_real_ones() {
+    let drawing = with_surface(SpaceKind::Planar);
+    let animation = animation(drawing.bodies.len());
+    let scale = Scale::of(&drawing, &animation).unwrap();
+    let plan = Plan { drawing: &drawing, animation: &animation, scale, layers: Layers::of(&drawing) };
+    assert_eq!((plan.layers.layer(2), bodies::height(&plan, 2)), (0, 0.0));
+    let thick = plan.scale.thickest;
+    assert!(thick > bodies::THICK * plan.scale.bar);
+    for body in (1..drawing.bodies.len()).filter(|body| plan.layers.layer(*body) != 0) {
+        let [low, high] = bodies::extent(&plan, body);
+        assert!(low >= thick || high <= -thick, "{body}: {low} {high} {thick}");
+    }
+}

@@ -33,6 +33,10 @@ fn shape(shape: &Shape) -> Value {
             "radius": five(*radius),
             "thickness": five(*thickness),
         }),
+        Shape::Surface(surface) => json!({
+            "surface": surface.points.iter().flatten().copied().map(five).collect::<Vec<_>>(),
+            "triangles": surface.triangles.as_flattened(),
+        }),
     }
 }
 

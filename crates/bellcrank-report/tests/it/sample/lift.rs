@@ -203,6 +203,7 @@ fn body(name: &str, points: &[(&str, [f64; 2])], lines: &[[usize; 2]], center: O
         lines: lines.to_vec(),
         center,
         block: None,
+        surface: None,
     }
 }
 

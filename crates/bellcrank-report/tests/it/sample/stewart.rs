@@ -125,8 +125,14 @@ fn drawing() -> Drawing {
         points.iter().enumerate().map(|(leg, p)| (format!("{prefix}{leg}"), *p)).collect()
     };
     let edges: Vec<[usize; 2]> = (0..6).map(|k| [k, (k + 1) % 6]).collect();
-    let named =
-        |name: &str, points, lines, center| DrawnBody { name: name.to_owned(), points, lines, center, block: None };
+    let named = |name: &str, points, lines, center| DrawnBody {
+        name: name.to_owned(),
+        points,
+        lines,
+        center,
+        block: None,
+        surface: None,
+    };
     let mut bodies = vec![
         named("ground", hexagon(&base, "P"), edges.clone(), None),
         named("platform", hexagon(&top, "Q"), edges, Some([0.0; 3])),

@@ -1,14 +1,16 @@
 // Parts of bodies as geometry: all parts of one body and one kind of surface are one mesh.
 
 import {
-  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, ExtrudeGeometry, Float32BufferAttribute, Matrix4, Path,
+  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, EdgesGeometry, ExtrudeGeometry, Float32BufferAttribute, Matrix4, Path,
   Quaternion, Shape, SphereGeometry, Vector2, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
-import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { mergeGeometries, toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Solid, V3 } from "../data";
 
 const Y = new Vector3(0, 1, 0);
+/** Neighbours of a real form that are further apart, degrees, have a visible edge between them. */
+const CREASE = 30;
 
 /** The parts of body `body` with a metal surface or without, coloured by vertex; null where there are none. */
 export function bodyGeometry(solids: Solid[], body: number, metal: boolean, fine: boolean): BufferGeometry | null {
@@ -17,11 +19,25 @@ export function bodyGeometry(solids: Solid[], body: number, metal: boolean, fine
   return geometries.length > 0 ? mergeGeometries(geometries) : null;
 }
 
+/** The visible edges of the real form of a body, one geometry a form. */
+export function edgeGeometries(solids: Solid[], body: number): BufferGeometry[] {
+  return solids.flatMap((part) =>
+    part.body === body && "surface" in part.shape ? [new EdgesGeometry(shared(part.shape), CREASE)] : [],
+  );
+}
+
+function shared({ surface, triangles }: { surface: number[]; triangles: number[] }): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(surface, 3));
+  return geometry.setIndex(triangles);
+}
+
 function geometry(shape: Solid["shape"], fine: boolean): BufferGeometry {
   const around = fine ? 28 : 12;
   if ("rod" in shape) return rod(shape.rod, shape.radius, shape.round, around);
   if ("ball" in shape) return new SphereGeometry(shape.radius, around, around >> 1).translate(...shape.ball);
   if ("block" in shape) return block(shape);
+  if ("surface" in shape) return toCreasedNormals(shared(shape), (CREASE * Math.PI) / 180);
   return plate(shape.plate, shape.normal, shape.radius, shape.thickness, fine);
 }
 

@@ -1,6 +1,6 @@
 // The solid drawing of a motion.
 
-import { Group, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, Scene, Vector3 } from "three";
+import { Box3, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, Scene, Vector3 } from "three";
 import type { Solid, V3 } from "../data";
 import type { Eye, V2 } from "../scene/camera";
 import type { Facts } from "../scene/facts";
@@ -10,7 +10,7 @@ import { Frame, places, someFrames } from "../scene/pose";
 import type { Shown, Side, Spot, View } from "../view";
 import { Arrow, axesMark, centerMark, Stretched, trailMark } from "./marks";
 import { Orbit } from "./orbit";
-import { bodyGeometry } from "./parts";
+import { bodyGeometry, edgeGeometries } from "./parts";
 import { floor, light, sharedStudio } from "./studio";
 
 /** Machines of more parts than this are drawn with fewer corners. */
@@ -139,6 +139,9 @@ export class SolidView implements View, Eye {
       mesh.castShadow = mesh.receiveShadow = true;
       group.add(mesh);
     }
+    for (const edges of edgeGeometries(motion.solids, index)) {
+      group.add(new LineSegments(edges, new LineBasicMaterial({ color: 0x1c2733, transparent: true, opacity: 0.55 })));
+    }
     const { center } = drawing.bodies[index];
     if (center) {
       const mark = centerMark(0.018 * this.radius);
@@ -257,8 +260,13 @@ export class SolidView implements View, Eye {
   }
 }
 
-/** Corners of a block, with its body; other parts reach hardly beyond the places they lie between. */
+/** Corners of a block or of the box around a real form, with its body; other parts reach hardly beyond the places they lie between. */
 function corners({ body, shape }: Solid): [number, V3][] {
+  if ("surface" in shape) {
+    const { min, max } = new Box3().setFromArray(shape.surface);
+    const ends = [min.toArray(), max.toArray()];
+    return ends.flatMap(([x]) => ends.flatMap(([, y]) => ends.map(([, , z]): [number, V3] => [body, [x, y, z]])));
+  }
   if (!("block" in shape)) return [];
   const { block, along, across, size } = shape;
   const high = new Vector3(...along).cross(new Vector3(...across));

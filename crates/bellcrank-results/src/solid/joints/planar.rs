@@ -1,6 +1,6 @@
 //! A pin through flat links, and the support under one that stands on the ground.
 
-use super::super::bodies::{STEP, THICK, height, raised};
+use super::super::bodies::{STEP, THICK, extent, raised};
 use super::super::vector::{V3, along, cross};
 use super::super::{Paint, Plan, Shape, Solid};
 use super::rod;
@@ -9,17 +9,19 @@ use crate::DrawnJoint;
 pub(super) fn pin(plan: &Plan<'_>, joint: &DrawnJoint) -> Vec<Solid> {
     let radius = plan.scale.between(joint.first.0, joint.second.0);
     let moving = [joint.first, joint.second].into_iter().filter(|(body, _)| *body != 0);
-    let heights: Vec<f64> = moving.map(|(body, _)| height(plan, body)).collect();
-    let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let extents: Vec<[f64; 2]> = moving.map(|(body, _)| extent(plan, body)).collect();
+    let low = extents.iter().map(|[low, _]| *low).fold(f64::INFINITY, f64::min);
+    let high = extents.iter().map(|[_, high]| *high).fold(f64::NEG_INFINITY, f64::max);
     let ground = [joint.first, joint.second].into_iter().find(|(body, _)| *body == 0);
-    let back = f64::from(plan.layers.back()) * STEP * plan.scale.bar;
-    let (low, head) = (if ground.is_some() { back } else { low }, 0.75 * THICK * plan.scale.bar);
+    let behind = (plan.scale.thickest - THICK * plan.scale.bar / 2.0).max(0.0);
+    let back = f64::from(plan.layers.back()) * STEP * plan.scale.bar - behind;
+    let half = THICK * plan.scale.bar / 2.0;
+    let (low, head) = (if ground.is_some() { back - half } else { low }, half / 2.0);
     // The pin turns with neither; it is fixed on the body that moves.
     let (body, at) = if joint.second.0 == 0 { joint.first } else { joint.second };
     let mut parts = vec![rod(body, raised(at, low - head), raised(at, high + head), 0.48 * radius, Paint::Steel)];
     if joint.driven {
-        let foot = high + 0.5 * THICK * plan.scale.bar;
+        let foot = high;
         parts.push(rod(
             body,
             raised(at, foot),

@@ -11,10 +11,11 @@ pub(super) fn revolute(plan: &Plan<'_>, joint: &DrawnJoint) -> Vec<Solid> {
     let (first, second) = (joint.first, joint.second);
     let (pin, hub) = (axis(joint), on_second(plan, joint, axis(joint)));
     let on = |at: V3, s: f64, axis: V3| along(at, s * r, axis);
-    let mut parts = vec![
-        rod(first.0, on(first.1, -2.1, pin), on(first.1, 2.1, pin), 0.8 * r, Paint::Steel),
-        rod(second.0, on(second.1, -1.45, hub), on(second.1, 1.45, hub), 1.6 * r, Paint::Body),
-    ];
+    let mut parts = vec![rod(first.0, on(first.1, -2.1, pin), on(first.1, 2.1, pin), 0.8 * r, Paint::Steel)];
+    // A real form has its eye.
+    if plan.surface(second.0).is_none() {
+        parts.push(rod(second.0, on(second.1, -1.45, hub), on(second.1, 1.45, hub), 1.6 * r, Paint::Body));
+    }
     if joint.driven {
         parts.push(rod(first.0, on(first.1, 1.55, pin), on(first.1, 3.6, pin), 1.75 * r, Paint::Drive));
     }
