@@ -1,5 +1,22 @@
 //! Large sparse symmetric systems: a positive definite matrix, its factorization, its lowest eigenpairs.
+//!
+//! ```text
+//! SymmetricMatrix ─► Plan (order, supernodes, sizes) ─► Cholesky (numbers) ─► solve
+//! ```
 
+mod dissection;
+mod factor;
+mod front;
 mod matrix;
+mod plan;
+mod quotient;
+mod solve;
+mod supernodes;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod worker;
 
+pub use factor::{Cholesky, Failure, NotPositive, Progress, SMALLEST_PIVOT};
 pub use matrix::SymmetricMatrix;
+pub use plan::Plan;
