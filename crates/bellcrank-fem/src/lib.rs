@@ -1,1 +1,33 @@
 //! Linear elasticity on a mesh.
+//!
+//! Reading order: [`Part`] (mesh, materials, supports, couplings), [`Load`], [`Statics`] (one factorization, any
+//! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error). All in SI and in the axes of the mesh.
+//! No joints, no files, no units; threads as many as the caller says.
+
+mod assemble;
+mod check;
+mod element;
+mod fault;
+mod field;
+mod freedom;
+mod load;
+mod material;
+//mod modes;
+mod numbering;
+mod part;
+mod recovery;
+mod settings;
+mod solver;
+mod statics;
+pub mod stress;
+mod surface;
+mod vector;
+
+pub use fault::{Fault, FreeMotion};
+pub use load::Load;
+pub use material::{Material, MaterialFault, Six, principal, von_mises};
+//pub use modes::Modes;
+pub use part::{Coupling, CouplingKind, Part, Region, Support};
+pub use settings::Settings;
+pub use statics::{Effort, Free, Solution, Statics};
+pub use stress::{Peak, Stress};

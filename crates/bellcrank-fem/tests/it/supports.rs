@@ -1,0 +1,192 @@
+//! Supports, couplings and loads by their identities.
+
+use bellcrank_fem::{
+    Coupling, CouplingKind, Fault, Free, FreeMotion, Load, Material, Part, Region, Settings, Solution, Statics, Support,
+};
+use bellcrank_mesh::{Mesh, Shape};
+
+use crate::grids;
+
+fn steel() -> Material {
+    Material::isotropic(2.1e11, 0.29, 7850.0).unwrap()
+}
+
+/// A bent, twisted bar: nothing lies on an axis.
+fn bar(shape: Shape) -> Mesh {
+    grids::grid(shape, [6, 2, 2], |[x, y, z]| {
+        let (y, z) = (0.08 * (y - 0.5), 0.05 * (z - 0.5));
+        let (c, s) = ((0.4 * x).cos(), (0.4 * x).sin());
+        [0.5 * x + 0.3 * y, c * y - s * z + 0.1 * x * x, s * y + c * z + 0.07 * x]
+    })
+}
+
+fn ends(mesh: &Mesh, cells: [usize; 3]) -> [Vec<bellcrank_mesh::Face>; 2] {
+    // Elements are made cell by cell: the first and the last layer along x.
+    let per_cell = mesh.element_count() / (cells[0] * cells[1] * cells[2]);
+    let face_at = |last: bool| {
+        let mut faces = Vec::new();
+        for face in grids::faces_where(mesh, |_| true) {
+            let cell = face.element as usize / per_cell;
+            let i = cell % cells[0];
+            if i == if last { cells[0] - 1 } else { 0 } {
+                let on_end = mesh.face_nodes(face).all(|node| {
+                    let at = mesh.nodes[node as usize];
+                    let x = if last { 0.5 } else { 0.0 };
+                    // The map keeps sections in planes x = 0.5 t + 0.3 y.
+                    (at[0] - x).abs() < 0.3 * 0.05
+                });
+                if on_end {
+                    faces.push(face);
+                }
+            }
+        }
+        faces
+    };
+    [face_at(false), face_at(true)]
+}
+
+fn settings() -> Settings<'static> {
+    Settings::default()
+}
+
+fn sum_of(mesh: &Mesh, solution: &Solution, about: [f64; 3]) -> [f64; 6] {
+    let mut sum = [0.0; 6];
+    for (force, at) in solution.reactions.iter().zip(&mesh.nodes) {
+        let r: [f64; 3] = std::array::from_fn(|i| at[i] - about[i]);
+        let m =
+            [r[1] * force[2] - r[2] * force[1], r[2] * force[0] - r[0] * force[2], r[0] * force[1] - r[1] * force[0]];
+        (0..3).for_each(|i| {
+            sum[i] += force[i];
+            sum[3 + i] += m[i];
+        });
+    }
+    sum
+}
+
+#[test]
+fn reactions_balance_the_loads() {
+    let force = [310.0, -170.0, 420.0];
+    let moment = [12.0, -31.0, 17.0];
+    for shape in [Shape::Tet10, Shape::Wedge15, Shape::Hex20, Shape::Hex8] {
+        let mesh = bar(shape);
+        let [first, last] = ends(&mesh, [6, 2, 2]);
+        assert!(!first.is_empty() && !last.is_empty());
+        let reference = [0.61, 0.13, -0.08];
+        for kind in [CouplingKind::Rigid, CouplingKind::Distributing] {
+            let nodes = first.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+            let part = Part {
+                mesh: &mesh,
+                materials: vec![steel()],
+                supports: vec![Support::clamped(nodes)],
+                couplings: vec![Coupling::free(Region::Faces(last.clone()), reference, kind)],
+            };
+            let statics = Statics::new(&part, Free::Refused, &settings()).unwrap();
+            let solution = statics.solve(&[Load::Frame { coupling: 0, force, moment }]).unwrap();
+            assert!(solution.residual < 1e-9, "{shape:?} {kind:?} {}", solution.residual);
+            let sum = sum_of(&mesh, &solution, reference);
+            for i in 0..3 {
+                assert!((sum[i] + force[i]).abs() < 1e-6, "{shape:?} {kind:?} {sum:?}");
+                assert!((sum[3 + i] + moment[i]).abs() < 1e-6, "{shape:?} {kind:?} {sum:?}");
+            }
+            // Clapeyron: the work of the loads is twice the elastic energy.
+            let frame = solution.frames[0];
+            let work: f64 = (0..3).map(|i| force[i] * frame[i] + moment[i] * frame[3 + i]).sum();
+            assert!((work / (2.0 * solution.energy) - 1.0).abs() < 1e-9, "{shape:?} {kind:?}");
+        }
+    }
+}
+
+/// A part held by a frame at one end answers a load at the other as it answers the same load with the ends' parts
+/// swapped: Maxwell's reciprocity.
+#[test]
+fn frames_hold_and_answer_reciprocally() {
+    let mesh = bar(Shape::Wedge15);
+    let [first, last] = ends(&mesh, [6, 2, 2]);
+    for held in [CouplingKind::Rigid, CouplingKind::Distributing] {
+        for loaded in [CouplingKind::Rigid, CouplingKind::Distributing] {
+            let hold =
+                Coupling { held: [Some(0.0); 6], ..Coupling::free(Region::Faces(first.clone()), [0.0; 3], held) };
+            let middle = grids::faces_where(&mesh, |at| (0.2..0.3).contains(&at[0]) && at[2] > 0.0);
+            let part = Part {
+                mesh: &mesh,
+                materials: vec![steel()],
+                supports: vec![],
+                couplings: vec![
+                    hold,
+                    Coupling::free(Region::Faces(last.clone()), [0.5, 0.1, 0.07], loaded),
+                    Coupling::free(Region::Faces(middle), [0.25, 0.0, 0.1], CouplingKind::Distributing),
+                ],
+            };
+            let statics = Statics::new(&part, Free::Refused, &settings()).unwrap();
+            let (a, b) = ([90.0, -40.0, 70.0], [-20.0, 85.0, 35.0]);
+            let on = |coupling, force| Load::Frame { coupling, force, moment: [3.0, -2.0, 4.0] };
+            let one = statics.solve(&[on(1, a)]).unwrap();
+            let two = statics.solve(&[on(2, b)]).unwrap();
+            let work = |f: [f64; 3], u: [f64; 6]| {
+                let m = [3.0, -2.0, 4.0];
+                (0..3).map(|i| f[i] * u[i] + m[i] * u[3 + i]).sum::<f64>()
+            };
+            let (ab, ba) = (work(a, two.frames[1]), work(b, one.frames[2]));
+            assert!((ab / ba - 1.0).abs() < 1e-8, "{held:?} {loaded:?}: {ab} {ba}");
+            assert!(one.frames[0].iter().all(|u| u.abs() < 1e-15), "{:?}", one.frames[0]);
+            let reaction = one.frame_reactions[0];
+            for i in 0..3 {
+                assert!((reaction[i] + a[i]).abs() < 1e-6, "{held:?} {loaded:?}: {reaction:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn inertia_relief_balances_what_is_left() {
+    let mesh = bar(Shape::Tet10);
+    let [first, last] = ends(&mesh, [6, 2, 2]);
+    let part = Part {
+        mesh: &mesh,
+        materials: vec![steel()],
+        supports: vec![],
+        couplings: vec![
+            Coupling::free(Region::Faces(first), [0.0; 3], CouplingKind::Rigid),
+            Coupling::free(Region::Faces(last), [0.5, 0.1, 0.07], CouplingKind::Distributing),
+        ],
+    };
+    let statics = Statics::new(&part, Free::Relieved, &settings()).unwrap();
+    let load = |coupling, force| Load::Frame { coupling, force, moment: [1.0, 2.0, -3.0] };
+    let solution = statics.solve(&[load(0, [100.0, 50.0, -70.0]), load(1, [-30.0, 20.0, 40.0])]).unwrap();
+    let relief = solution.relief.unwrap();
+    for (found, exact) in relief.iter().zip([70.0, 70.0, -30.0]) {
+        assert!((found - exact).abs() < 1e-9, "{relief:?}");
+    }
+    assert!(solution.residual < 1e-8, "{}", solution.residual);
+    // A uniform acceleration and its weight cancel: no stress, no displacement.
+    let nothing = statics
+        .solve(&[
+            Load::Gravity([1.0, -9.0, 4.0]),
+            Load::Motion { about: [0.1; 3], acceleration: [1.0, -9.0, 4.0], omega: [0.0; 3], alpha: [0.0; 3] },
+        ])
+        .unwrap();
+    assert!(nothing.displacement.iter().flatten().all(|u| u.abs() < 1e-18));
+}
+
+#[test]
+fn free_motions_are_named() {
+    let mesh = bar(Shape::Hex8);
+    let part = |supports| Part { mesh: &mesh, materials: vec![steel()], supports, couplings: vec![] };
+    let faults = |supports| match Statics::new(&part(supports), Free::Refused, &settings()) {
+        Err(faults) => faults,
+        Ok(_) => panic!("held"),
+    };
+    let [Fault::UnderSupported(all)] = &faults(vec![])[..] else { panic!("six motions") };
+    assert_eq!(all.len(), 6);
+    assert_eq!(all.iter().filter(|motion| matches!(motion, FreeMotion::Along(_))).count(), 3);
+    let (a, b) = (mesh.nodes[0], mesh.nodes[17]);
+    let found = faults(vec![Support::clamped(vec![0, 17])]);
+    let [Fault::UnderSupported(hinge)] = &found[..] else { panic!("a hinge: {found:?}") };
+    let [FreeMotion::About { axis, point, pitch }] = hinge[..] else { panic!("a turn: {hinge:?}") };
+    let d: [f64; 3] = std::array::from_fn(|i| b[i] - a[i]);
+    let r: [f64; 3] = std::array::from_fn(|i| point[i] - a[i]);
+    let cross =
+        |u: [f64; 3], v: [f64; 3]| [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    assert!(cross(axis, d).iter().all(|x| x.abs() < 1e-9) && cross(axis, r).iter().all(|x| x.abs() < 1e-9));
+    assert!(pitch.abs() < 1e-9);
+}
