@@ -5,10 +5,16 @@
 //! without another boolean operation), [`Revolved`]. Everything is generic over the scalar, so that mass
 //! properties carry exact derivatives by any parameter. No joints, no files, no units: lengths are in m.
 
+mod build;
+mod fault;
 mod link;
+mod moments;
+mod plane;
 mod revolved;
 mod stack;
 
+pub use fault::{Fault, Part, Quantity};
 pub use link::{Bar, Corner, Cut, CutShape, Eye, Link, Plate, Profile, Web};
+pub use moments::{MassProperties, Moments};
 pub use revolved::Revolved;
 pub use stack::{Bore, Cell, Curve, Edge, Stack};

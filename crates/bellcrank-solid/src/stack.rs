@@ -4,6 +4,10 @@
 //! cells between them. A level splits the height where anything begins or ends. What is filled is then a table of
 //! cells by intervals. Volumes, boundary faces and conforming meshes need no further intersection.
 
+use bellcrank_math::Real;
+
+use crate::{Fault, MassProperties, Moments};
+
 /// Cells of one plane times intervals of height; lengths in m, in the axes of the link's plane.
 #[derive(Clone, Debug)]
 pub struct Stack<T> {
@@ -17,6 +21,18 @@ pub struct Stack<T> {
     pub levels: Vec<T>,
     /// Holes of the eyes that have one.
     pub bores: Vec<Bore<T>>,
+    /// Integrals over the solid. Their first derivatives hold also where outlines or layers of different derivatives
+    /// coincide, which vertices and levels cannot show.
+    pub moments: Moments<T>,
+    /// What is suspicious but no fault.
+    pub warnings: Vec<Fault>,
+}
+
+impl<T: Real> Stack<T> {
+    /// Mass properties at a density in kg/m³, in the axes of the link's plane; exact.
+    pub fn mass_properties(&self, density: T) -> MassProperties<T> {
+        self.moments.mass_properties(density)
+    }
 }
 
 /// A line or an arc of the arrangement, shorter than half a turn.

@@ -1,0 +1,5 @@
+//! Solids against closed forms, other routes to the same number, and other programs.
+
+mod derivatives;
+mod parts;
+mod shapes;
