@@ -57,10 +57,10 @@ fn thin_contacts<T: Real>(layout: &Layout<T>, table: &Table) -> Vec<Fault> {
         let at = layout.plane.vertices[v];
         let upright: Vec<usize> = (0..intervals).filter(|k| changes(&sectors, *k) > 2).collect();
         faults.extend(upright.iter().map(|k| Fault::ThinContact { at, interval: [heights[*k], heights[k + 1]] }));
-        for level in 0..=intervals {
+        for (level, height) in heights.iter().enumerate() {
             let beside = |k: &usize| *k == level || *k + 1 == level;
             if !upright.iter().any(beside) && !round(&sectors, level, intervals) {
-                faults.push(Fault::ThinContact { at, interval: [heights[level]; 2] });
+                faults.push(Fault::ThinContact { at, interval: [*height; 2] });
             }
         }
     }

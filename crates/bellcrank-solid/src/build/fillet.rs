@@ -166,14 +166,13 @@ impl<'a, T: Real> Layer<'a, T> {
 
     fn run(&self, start: Half, tolerance: f64) -> Run {
         let (mut half, mut length) = (start, 0.0);
-        loop {
-            let Some(curve) = self.outward(half).map(|s| s.values()) else { break };
+        while let Some(whole) = self.outward(half).map(|s| s.values()) {
             let [a, b] = self.ends(half);
-            length +=
-                Segment { ends: [a, b].map(|v| self.layout.plane.vertices[v]), curve: curve.curve.clone() }.length();
+            let ends = [a, b].map(|v| self.layout.plane.vertices[v]);
+            length += Segment { ends, curve: whole.curve.clone() }.length();
             let [x, y] = self.fans[b][..] else { break };
             let onward = if x == (half.0, !half.1) { y } else { x };
-            let same = self.outward(onward).is_some_and(|s| same(&curve, &s.values(), tolerance));
+            let same = self.outward(onward).is_some_and(|s| same(&whole, &s.values(), tolerance));
             if !same || onward.0 == start.0 {
                 break;
             }

@@ -25,11 +25,11 @@ pub(crate) fn moments<T: Real>(layout: &Layout<T>, filling: &Filling<T>, middle:
         sum.add(&region.between(ends[0], ends[1]), T::one());
     }
     let cells = cells(layout, &places, middle);
-    for level in 0..heights.len() {
+    for (level, height) in heights.iter().enumerate() {
         for (cell, plane) in cells.iter().enumerate() {
             let rise = rise(layout, filling, cell, level);
             if !rise.is_zero() {
-                sum.add(&plane.at(T::from_f64(heights[level] - base)), rise);
+                sum.add(&plane.at(T::from_f64(height - base)), rise);
             }
         }
     }

@@ -54,9 +54,10 @@ impl Default for Box {
 
 impl Box {
     fn disc<T: Real>(&mut self, center: [T; 2], radius: f64) {
-        for k in 0..2 {
-            self.0[0][k] = self.0[0][k].min(center[k].value() - radius);
-            self.0[1][k] = self.0[1][k].max(center[k].value() + radius);
+        let [low, high] = &mut self.0;
+        for ((low, high), x) in low.iter_mut().zip(high).zip(center) {
+            *low = low.min(x.value() - radius);
+            *high = high.max(x.value() + radius);
         }
     }
 

@@ -116,8 +116,8 @@ pub(crate) fn rounded<T: Real>(corners: &[(Point<T>, T)]) -> Outline<T> {
         arc.unwrap_or(corners[i].0)
     };
     let mut outline = Vec::new();
-    for i in 0..n {
-        outline.extend(rounds[i].iter().cloned());
+    for (i, round) in rounds.iter().enumerate() {
+        outline.extend(round.iter().cloned());
         outline.push(Segment::line(end(i, true), end((i + 1) % n, false)));
     }
     outline

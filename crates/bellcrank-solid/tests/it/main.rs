@@ -2,4 +2,5 @@
 
 mod derivatives;
 mod parts;
+mod random;
 mod shapes;

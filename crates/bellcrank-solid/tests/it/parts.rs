@@ -26,8 +26,3 @@ pub(crate) fn plate<T: Real>(places: &[([T; 2], T)], layer: [T; 2]) -> Plate<T> 
 pub(crate) fn through<T: Real>(shape: CutShape<T>) -> Cut<T> {
     Cut { shape, layers: None }
 }
-
-/// Corners with one radius, as `(place, radius)`.
-pub(crate) fn same_radius(places: &[[f64; 2]], radius: f64) -> Vec<([f64; 2], f64)> {
-    places.iter().map(|p| (*p, radius)).collect()
-}
