@@ -160,37 +160,6 @@ impl<'a> Work<'a> {
 
     /// Blocks of each subtree, and of each supernode above them.
     fn cut<'b>(&self, blocks: &'b mut [f64], subtrees: &[Subtree]) -> (Parts<'b, Subtree>, Parts<'b, usize>) {
-        let (mut parts, mut tops) = self.cut(blocks, &subtrees);
-        let mut saved = vec![Vec::new(); self.plan.supernodes()];
-        parts.sort_by(|a, b| b.0.flops.total_cmp(&a.0.flops));
-        let updates: Vec<_> = parts
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|(subtree, blocks)| (subtree.end - 1, self.subtree(subtree, blocks)))
-            .collect();
-        let mut failure = None;
-        for (root, update) in updates {
-            match update {
-                Ok(update) => saved[root] = update,
-                Err(new) => failure = Some(first_of(failure, new)),
-            }
-        }
-        let mut worker = Worker::new(self.plan, self.matrix);
-        for (s, block) in &mut tops {
-            if failure.is_some_and(|(at, _)| at < *s) {
-                break;
-            }
-            self.supernode(&mut worker, *s, block, &mut saved, &Crew { shared: true })?;
-        }
-        failure.map_or(Ok(()), |(_, failure)| Err(failure))
-    }
-
-    /// Blocks of each subtree, and of each supernode above them.
-    fn cut<'b>(
-        &self,
-        blocks: &'b mut [f64],
-        subtrees: &[Subtree],
-    ) -> (Vec<(Subtree, &'b mut [f64])>, Vec<(usize, &'b mut [f64])>) {
         let (mut parts, mut tops) = (Vec::new(), Vec::new());
         let (mut rest, mut next, mut s) = (blocks, subtrees.iter().peekable(), 0);
         while s < self.plan.supernodes() {
