@@ -2,7 +2,7 @@
 //! CPU seconds by one thread, wall seconds by two; `faer` adds its own supernodal factorization with the same order.
 
 mod shared {
-    pub mod brick;
+    pub(crate) mod brick;
 }
 
 use std::sync::Arc;

@@ -8,9 +8,9 @@ const DENSITY: f64 = 7850.0;
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 /// Stiffness and mass, N/m and kg, of `cells` cubes of edge `edge` (m) in each direction; the face x = 0 is clamped if asked.
-pub struct Brick {
-    pub stiffness: SymmetricMatrix,
-    pub mass: SymmetricMatrix,
+pub(crate) struct Brick {
+    pub(crate) stiffness: SymmetricMatrix,
+    pub(crate) mass: SymmetricMatrix,
 }
 
 /// Blocks of 3 × 3 between each node and its 27 neighbours.
@@ -20,7 +20,7 @@ struct Blocks {
     mass: Vec<f64>,
 }
 
-pub fn brick(cells: [usize; 3], edge: f64, clamped: bool) -> Brick {
+pub(crate) fn brick(cells: [usize; 3], edge: f64, clamped: bool) -> Brick {
     let nodes = cells.map(|n| n + 1);
     let count = nodes[0] * nodes[1] * nodes[2];
     let mut blocks = Blocks { nodes, stiffness: vec![[0.0; 9]; 27 * count], mass: vec![0.0; 27 * count] };
