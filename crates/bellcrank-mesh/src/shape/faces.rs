@@ -58,6 +58,28 @@ impl FaceShape {
         }
     }
 
+    /// Natural coordinates of the corners, in the order of the nodes.
+    pub const fn corner_coordinates(self) -> &'static [[f64; 2]] {
+        match self {
+            FaceShape::Tri3 | FaceShape::Tri6 => &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            FaceShape::Quad4 | FaceShape::Quad8 => &SQUARE,
+        }
+    }
+
+    /// Natural coordinates of the middle of the side between corner k and k + 1.
+    pub fn middle_of_side(self, side: usize) -> [f64; 2] {
+        let corners = self.corner_coordinates();
+        let (a, b) = (corners[side], corners[(side + 1) % corners.len()]);
+        [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0]
+    }
+
+    /// Way from corner k to k + 1 in natural coordinates.
+    pub fn side_direction(self, side: usize) -> [f64; 2] {
+        let corners = self.corner_coordinates();
+        let (a, b) = (corners[side], corners[(side + 1) % corners.len()]);
+        [b[0] - a[0], b[1] - a[1]]
+    }
+
     /// Shape functions and their derivatives by the two natural coordinates.
     pub fn evaluate(self, at: [f64; 2], n: &mut [f64; 8], d: &mut [[f64; 2]; 8]) {
         let [r, s] = at;
