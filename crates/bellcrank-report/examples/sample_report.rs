@@ -22,8 +22,9 @@ fn main() -> Result<(), ReportError> {
         sample::kinds::run(),
         sample::kinds::poor(),
         sample::forward::run(),
+        sample::stress::run(),
     ];
-    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide", "kinds", "poor", "forward"]) {
+    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide", "kinds", "poor", "forward", "parts"]) {
         print!("{}", terminal_summary(run, &Style { color: false, width: 100 }));
         let columns = run.studies.first().map_or(0, |study| study.table.columns.len());
         println!("\n{name}: {columns} columns");

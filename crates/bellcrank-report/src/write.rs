@@ -9,9 +9,9 @@ use bellcrank_results::{
 
 use crate::exports::{Exports, write_exports};
 use crate::html::page;
-use crate::{FigureFile, ReportError, figures, study_folders};
+use crate::{FigureFile, PictureFile, ReportError, figures, pictures, study_folders};
 
-/// Writes `report.html` and `STUDY/plots/*.svg` into `dir`, which is made where it is missing.
+/// Writes `report.html`, `STUDY/plots/*.svg` and `STUDY/*.png` into `dir`, which is made where it is missing.
 ///
 /// Gives the paths that were written, the report first.
 ///
@@ -20,10 +20,14 @@ use crate::{FigureFile, ReportError, figures, study_folders};
 pub fn write_report(run: &RunResult, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     make_folder(dir)?;
     let figures: Vec<_> = run.studies.iter().map(figures).collect();
-    let page = page(run, &figures);
+    let pictures: Vec<_> = run.studies.iter().map(pictures).collect();
+    let page = page(run, &figures, &pictures);
     let mut written = vec![write_file(dir.join("report.html"), page.as_bytes())?];
     for (figures, folder) in figures.iter().zip(study_folders(run)) {
         written.extend(write_plots(figures, &dir.join(folder).join("plots"))?);
+    }
+    for (pictures, folder) in pictures.iter().zip(study_folders(run)) {
+        written.extend(write_pictures(pictures, &dir.join(folder))?);
     }
     Ok(written)
 }
@@ -60,6 +64,15 @@ fn write_plots(figures: &[FigureFile], dir: &Path) -> Result<Vec<PathBuf>, Repor
     }
     let write = |file: &FigureFile| write_file(dir.join(format!("{}.svg", file.stem)), file.svg.as_bytes());
     figures.iter().map(write).collect()
+}
+
+fn write_pictures(pictures: &[Option<PictureFile>], dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let all: Vec<&PictureFile> = pictures.iter().flatten().collect();
+    if !all.is_empty() {
+        make_folder(dir)?;
+    }
+    let write = |file: &PictureFile| write_file(dir.join(format!("{}.png", file.stem)), &file.png);
+    all.into_iter().map(write).collect()
 }
 
 fn write_series(study: &StudyResult, path: PathBuf) -> Result<PathBuf, ReportError> {

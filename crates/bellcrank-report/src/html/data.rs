@@ -15,6 +15,7 @@ use bellcrank_results::{
 };
 use serde_json::{Value, json};
 
+pub(crate) use base64::encoded;
 use blob::Blob;
 use thinning::kept_frames;
 pub(crate) use thinning::kept_rows;

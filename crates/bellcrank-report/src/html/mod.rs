@@ -1,5 +1,6 @@
 //! The report: one HTML file that needs nothing else.
 
+mod contours;
 mod data;
 mod escape;
 mod events;
@@ -23,5 +24,6 @@ use bellcrank_results::RunResult;
 /// The run as one self-contained HTML document: no network, no other file.
 pub fn render_html(run: &RunResult) -> String {
     let figures: Vec<_> = run.studies.iter().map(crate::figures).collect();
-    page(run, &figures)
+    let pictures: Vec<_> = run.studies.iter().map(crate::pictures).collect();
+    page(run, &figures, &pictures)
 }

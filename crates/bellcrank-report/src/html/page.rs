@@ -3,7 +3,7 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::{Escaped, data, model, provenance, sentence, study};
-use crate::{FigureFile, findings, study_folders, told};
+use crate::{FigureFile, PictureFile, findings, study_folders, told};
 
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
 const SCRIPT: &str = include_str!("../../web/dist/report.js");
@@ -18,8 +18,8 @@ const PAGE_BYTES: usize = 1 << 21;
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; \
                       img-src data:";
 
-/// The whole document; `figures` are those of each study.
-pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>]) -> String {
+/// The whole document; `figures` and `pictures` are those of each study.
+pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>], pictures: &[Vec<Option<PictureFile>>]) -> String {
     let mut page = head(run);
     page.reserve(PAGE_BYTES);
     let ids = study_folders(run);
@@ -30,7 +30,13 @@ pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>]) -> String {
     page.push_str(&model::section(run));
     for (index, of) in run.studies.iter().enumerate() {
         let place = study::Place { index, id: &ids[index] };
-        study::push_section(&mut page, run, of, &place, &figures[index]);
+        study::push_section(
+            &mut page,
+            run,
+            of,
+            &place,
+            &study::Drawn { figures: &figures[index], pictures: &pictures[index] },
+        );
     }
     page.push_str(&provenance::section(run));
     page.push_str("</main>\n");

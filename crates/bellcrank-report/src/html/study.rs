@@ -3,9 +3,9 @@
 use bellcrank_results::{RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, data, events, glance, kinds, model, programme, reactions, sentence};
+use super::{Escaped, contours, data, events, glance, kinds, model, programme, reactions, sentence};
 use crate::findings::{self, Check};
-use crate::{FigureFile, number, told};
+use crate::{FigureFile, PictureFile, number, told};
 
 /// Where a study stands in the page.
 pub(crate) struct Place<'a> {
@@ -15,13 +15,21 @@ pub(crate) struct Place<'a> {
     pub(crate) id: &'a str,
 }
 
+/// What was drawn of it before.
+pub(crate) struct Drawn<'a> {
+    pub(crate) figures: &'a [FigureFile],
+    /// One a contour; none where there was nothing to draw.
+    pub(crate) pictures: &'a [Option<PictureFile>],
+}
+
 pub(crate) fn push_section(
     page: &mut String,
     run: &RunResult,
     study: &StudyResult,
     place: &Place<'_>,
-    figures: &[FigureFile],
+    drawn: &Drawn<'_>,
 ) {
+    let figures = drawn.figures;
     let (id, name, kind) = (place.id, Escaped(&study.name), Escaped(&study.kind));
     page.push_str(&format!("<section class=\"study\" id=\"study-{id}\">\n<h2>{name} <small>{kind}</small></h2>\n"));
     page.push_str(&lead(run, study));
@@ -30,6 +38,7 @@ pub(crate) fn push_section(
     page.push_str(&unmet(study));
     page.push_str(&model::changed(&study.changed, &run.parameters));
     page.push_str(&kinds::findings(study, place.index, figures));
+    page.push_str(&contours::section(drawn.pictures, place.index));
     page.push_str(&glance::glance(study));
     page.push_str(&programme::section(study, place.index, figures));
     page.push_str(&mounts(run, study, place.index));
@@ -66,7 +75,7 @@ fn lead(run: &RunResult, study: &StudyResult) -> String {
 }
 
 fn positions(study: &StudyResult) -> String {
-    if study.findings.is_some() && study.table.rows() == 0 {
+    if (study.findings.is_some() || !study.contours.is_empty()) && study.table.rows() == 0 {
         return String::new();
     }
     let in_time = study.axis.first().is_some_and(|axis| axis == "time");
@@ -115,7 +124,7 @@ fn failure(study: &StudyResult) -> String {
 
 /// Where the browser part puts the moving drawing and the curves.
 fn mounts(run: &RunResult, study: &StudyResult, index: usize) -> String {
-    if study.table.rows() == 0 && study.findings.is_some() {
+    if study.table.rows() == 0 && (study.findings.is_some() || !study.contours.is_empty()) {
         return String::new();
     }
     if study.table.rows() == 0 {

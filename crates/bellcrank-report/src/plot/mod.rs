@@ -21,7 +21,7 @@ mod response;
 mod scale;
 mod scatter;
 mod svg;
-mod ticks;
+pub(crate) mod ticks;
 
 pub(crate) use bars::{Bar, Bars};
 pub(crate) use chart::Chart;

@@ -23,6 +23,11 @@ impl Ticks {
         Self { from, to, marks, step }
     }
 
+    /// From mark to mark.
+    pub(crate) fn step(&self) -> f64 {
+        self.step
+    }
+
     /// The text at a mark.
     pub(crate) fn text(&self, mark: f64) -> String {
         let size = self.from.abs().max(self.to.abs());

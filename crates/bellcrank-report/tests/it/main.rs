@@ -7,6 +7,7 @@ mod forward;
 mod html;
 mod kinds;
 mod markup;
+mod pictures;
 mod sample;
 mod solid;
 mod terminal;

@@ -1,7 +1,7 @@
 //! A reader of tags, strict where a browser forgives.
 
 /// Elements that have no end tag.
-const VOID: [&str; 4] = ["meta", "link", "br", "input"];
+const VOID: [&str; 5] = ["meta", "link", "br", "input", "img"];
 
 /// Fails unless every element that opens closes, in order. Scripts and sheets are skipped.
 pub fn assert_balanced(page: &str) {

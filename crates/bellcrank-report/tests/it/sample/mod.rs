@@ -5,6 +5,7 @@ pub mod forward;
 pub mod kinds;
 pub mod lift;
 pub mod stewart;
+pub mod stress;
 
 use bellcrank_results::{Column, ParameterRow, Pose, Provenance, Unit};
 
