@@ -2,11 +2,13 @@
 //!
 //! ```text
 //! SymmetricMatrix ─► Plan (order, supernodes, sizes) ─► Cholesky (numbers) ─► solve
+//!                                                          └► Eigenproblem: lowest eigenpairs
 //! ```
 
 mod dissection;
 mod factor;
 mod front;
+mod lanczos;
 mod matrix;
 mod plan;
 mod quotient;
@@ -18,5 +20,6 @@ mod tree;
 mod worker;
 
 pub use factor::{Cholesky, Failure, NotPositive, Progress, SMALLEST_PIVOT};
+pub use lanczos::{EigenFailure, Eigenpairs, Eigenproblem};
 pub use matrix::SymmetricMatrix;
 pub use plan::Plan;

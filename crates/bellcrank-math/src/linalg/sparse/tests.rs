@@ -3,10 +3,10 @@ use std::sync::Arc;
 use super::*;
 
 /// Numbers between -1 and 1, always the same.
-struct Numbers(u64);
+pub(super) struct Numbers(pub(super) u64);
 
 impl Numbers {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 11) as f64 / (1_u64 << 53) as f64) * 2.0 - 1.0
     }
@@ -21,7 +21,7 @@ impl Numbers {
 }
 
 /// A matrix from its lower entries, summed where they meet.
-fn matrix(size: usize, entries: &[(usize, usize, f64)]) -> SymmetricMatrix {
+pub(super) fn matrix(size: usize, entries: &[(usize, usize, f64)]) -> SymmetricMatrix {
     let mut columns = vec![std::collections::BTreeMap::new(); size];
     for (i, column) in columns.iter_mut().enumerate() {
         column.insert(i, 0.0);
@@ -59,7 +59,7 @@ fn residual(matrix: &SymmetricMatrix, x: &[f64], b: &[f64]) -> f64 {
     largest(&mut product.iter().zip(b).map(|(p, b)| p - b)) / largest(&mut b.iter().copied())
 }
 
-fn go_on(_: f64) -> bool {
+pub(super) fn go_on(_: f64) -> bool {
     true
 }
 
