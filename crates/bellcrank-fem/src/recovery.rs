@@ -103,12 +103,12 @@ impl Patches {
         }
     }
 
-    /// The elements round a node; one ring more where there are too few for the polynomial (edges and corners).
+    /// The elements round a node; more rings where there are too few samples for a linear field.
     fn gather(&self, block: &Block, node: u32, work: &mut Work) {
         work.elements.clear();
         work.elements.extend_from_slice(self.of(node));
         let mut rings = 0;
-        while work.elements.len() * self.per_element < 3 * self.terms && rings < 2 {
+        while work.elements.len() * self.per_element < FEWEST_SAMPLES && rings < 2 {
             let corners: Vec<u32> = work
                 .elements
                 .iter()
@@ -150,6 +150,14 @@ fn touching(block: &Block, nodes: usize) -> (Vec<u32>, Vec<u32>) {
 }
 
 const MOST_TERMS: usize = 10;
+
+/// One hexahedron's samples: at a corner of the part their trilinear field is better than a wide patch's parabola.
+const FEWEST_SAMPLES: usize = 8;
+
+/// What a term must have of its own beside those before it: a curved row of samples tells x² from the others by its
+/// sagitta alone, and such a fit is useless outside the samples. Found on Lamé's cylinder and the rotating
+/// disc: 3e-2 serves all shapes, 1e-8 gives ten times the error.
+const LEAST_PIVOT: f64 = 3e-2;
 
 /// Polynomials of the six components about a node, in coordinates scaled by the patch.
 struct Fit {
@@ -206,7 +214,7 @@ impl Fit {
         for j in 0..terms {
             let before = a[j][j];
             let pivot = before - (0..j).filter(|&k| kept[k]).map(|k| a[j][k] * a[j][k]).sum::<f64>();
-            kept[j] = pivot > 1e-8 * before;
+            kept[j] = pivot > LEAST_PIVOT * before;
             if !kept[j] {
                 continue;
             }

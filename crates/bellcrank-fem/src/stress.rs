@@ -12,8 +12,8 @@ use crate::{Part, Solution};
 pub struct Stress {
     /// Smoothed stress at each node.
     pub nodal: Vec<Six>,
-    /// For each node, how far the von Mises stress of the elements round it is from the smoothed one, at most: an
-    /// estimate of the error of the elements' stress, and on the safe side for the smoothed one, Pa.
+    /// For each node, how far the von Mises stress of the elements round it is from the smoothed one, at most and at any
+    /// node of theirs: an estimate of the error of the elements' stress, on the safe side for the smoothed one, Pa.
     pub spread: Vec<f64>,
     /// For each element (block by block), the square of the energy norm of the difference between smoothed and
     /// element stress, J (Zienkiewicz & Zhu 1987).
@@ -112,12 +112,13 @@ fn spread(part: &Part<'_>, solution: &Solution, nodal: &[Six]) -> Vec<f64> {
     let mut spread = vec![0.0_f64; nodal.len()];
     each_element(part, |geometry, block, element| {
         let shape = part.mesh.blocks[block].shape;
+        let mut worst = 0.0_f64;
         for (k, &node) in element.iter().enumerate() {
             geometry.at_natural(shape.node_coordinates(k));
             let own = von_mises(&evaluate(part, solution, geometry, block, element));
-            let worst = &mut spread[node as usize];
-            *worst = worst.max((own - smooth[node as usize]).abs());
+            worst = worst.max((own - smooth[node as usize]).abs());
         }
+        element.iter().for_each(|&node| spread[node as usize] = spread[node as usize].max(worst));
     });
     spread
 }

@@ -1,7 +1,7 @@
 //! Tests of linear elasticity against closed forms, published cases and identities.
 
-mod grids;
 mod convergence;
+mod grids;
 mod patch;
 mod published;
 mod supports;
