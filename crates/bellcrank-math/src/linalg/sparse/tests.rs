@@ -155,3 +155,109 @@ fn a_factorization_stops_when_asked() {
     let result = Cholesky::factor(Arc::new(Plan::new(&matrix)), &matrix, 2, &|share| share < 0.3);
     assert_eq!(result.err(), Some(Failure::Interrupted));
 }
+
+/// Without a factorization: the same solution.
+#[test]
+fn conjugate_gradients_agree_with_the_factorization() {
+    let mut numbers = Numbers(23);
+    for matrix in [grid(7, 6), random(300, 1500, &mut numbers), random(1, 0, &mut numbers)] {
+        let b = numbers.many(matrix.size);
+        let mut direct = b.clone();
+        Cholesky::factor(Arc::new(Plan::new(&matrix)), &matrix, 1, &go_on)
+            .expect("positive definite")
+            .solve(&mut direct);
+        let mut x = numbers.many(matrix.size);
+        let preconditioner = Incomplete::new(&matrix).expect("a positive diagonal");
+        let accuracy = Accuracy { tolerance: 1e-12, iterations: 500 };
+        let found = conjugate_gradients(&matrix, &preconditioner, &b, &mut x, accuracy, &go_on).expect("converges");
+        assert!(found.residual <= 1e-12 && found.iterations < 100, "{found:?}");
+        let largest = direct.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        assert!(x.iter().zip(&direct).all(|(x, d)| (x - d).abs() < 1e-9 * largest));
+    }
+}
+
+#[test]
+fn a_breakdown_of_the_incomplete_factor_is_met_by_a_shift() {
+    // Kershaw (1978): positive definite, but what is dropped leaves a negative pivot.
+    let entries =
+        [(0, 0, 3.0), (1, 1, 3.0), (2, 2, 3.0), (3, 3, 3.0), (1, 0, -2.0), (3, 0, 2.0), (2, 1, -2.0), (3, 2, -2.0)];
+    let matrix = matrix(4, &entries);
+    let preconditioner = Incomplete::new(&matrix).expect("a positive diagonal");
+    assert!(preconditioner.shift > 0.0);
+    let (b, mut x) = ([0.3, -1.7, 2.9, 0.4], vec![0.0; 4]);
+    let accuracy = Accuracy { tolerance: 1e-13, iterations: 20 };
+    conjugate_gradients(&matrix, &preconditioner, &b, &mut x, accuracy, &go_on).expect("converges");
+    assert!(residual(&matrix, &x, &b) < 1e-12);
+}
+
+#[test]
+fn conjugate_gradients_say_why_they_stop() {
+    let matrix = grid(6, 6);
+    let preconditioner = Incomplete::new(&matrix).expect("a positive diagonal");
+    let b = Numbers(2).many(matrix.size);
+    let run = |iterations: usize, progress: Progress| {
+        let accuracy = Accuracy { tolerance: 1e-10, iterations };
+        conjugate_gradients(&matrix, &preconditioner, &b, &mut vec![0.0; matrix.size], accuracy, progress)
+    };
+    assert!(matches!(run(3, &go_on), Err(IterationFailure::Stagnated(Iterated { iterations: 3, .. }))));
+    assert!(matches!(run(100, &|_| false), Err(IterationFailure::Interrupted(Iterated { iterations: 0, .. }))));
+    let mut indefinite = matrix.clone();
+    indefinite.values.iter_mut().for_each(|v| *v = if *v > 6.0 { 0.5 } else { *v });
+    let start = Incomplete::new(&matrix).expect("a positive diagonal");
+    let accuracy = Accuracy { tolerance: 1e-10, iterations: 100 };
+    let result = conjugate_gradients(&indefinite, &start, &b, &mut vec![0.0; matrix.size], accuracy, &go_on);
+    assert!(matches!(result, Err(IterationFailure::NotPositive(_))), "{result:?}");
+}
+
+/// Rows in an order that the dissection does not know give the same solution.
+#[test]
+fn renumbering_renumbers_the_solution() {
+    let mut numbers = Numbers(41);
+    let (size, original) = (200, random(200, 700, &mut numbers));
+    let mut place: Vec<usize> = (0..size).collect();
+    (1..size).rev().for_each(|i| place.swap(i, numbers.below(i + 1)));
+    let columns = (0..size).flat_map(|c| (original.starts[c]..original.starts[c + 1]).map(move |e| (c, e)));
+    let entries: Vec<_> =
+        columns.map(|(c, e)| (place[original.rows[e] as usize], place[c], original.values[e])).collect();
+    let (b, renumbered) = (numbers.many(size), matrix(size, &entries));
+    let solve = |matrix: &SymmetricMatrix, mut b: Vec<f64>| {
+        Cholesky::factor(Arc::new(Plan::new(matrix)), matrix, 1, &go_on).expect("positive definite").solve(&mut b);
+        b
+    };
+    let mut moved = vec![0.0; size];
+    (0..size).for_each(|i| moved[place[i]] = b[i]);
+    let (x, y) = (solve(&original, b), solve(&renumbered, moved));
+    assert!((0..size).all(|i| (x[i] - y[place[i]]).abs() < 1e-12 * (1.0 + x[i].abs())));
+}
+
+#[test]
+fn special_patterns_are_solved() {
+    let mut numbers = Numbers(59);
+    let size = 400;
+    // A full row; equal patterns; blocks without connection; all of them connected.
+    let dense_row = (1..size).flat_map(|i| [(i, 0, 0.5), (i, i, 1.5), (0, 0, 1.0)]).collect::<Vec<_>>();
+    let twins =
+        (0..size).flat_map(|i| [(i, i, 9.0), (i, i ^ 1, -1.1), (i, (i + 2) % size, 0.7), (i, (i + 2) % size ^ 1, 0.6)]);
+    let apart = (0..size).flat_map(|i| [(i, i, 4.0), (i, i / 5 * 5, 0.3)]);
+    let full = (0..60).flat_map(|i| (0..=i).map(move |j| (i, j, if i == j { 90.0 } else { 1.0 / (1 + i + j) as f64 })));
+    for (size, entries) in
+        [(size, dense_row), (size, twins.collect()), (size, apart.collect()), (60, full.collect::<Vec<_>>())]
+    {
+        solve_and_check(&matrix(size, &entries), &mut numbers);
+    }
+}
+
+/// Products with several vectors at once are those with one.
+#[test]
+fn products_do_not_depend_on_how_many_there_are() {
+    let mut numbers = Numbers(77);
+    let matrix = random(50, 200, &mut numbers);
+    let x = numbers.many(50 * 13);
+    let mut together = vec![0.0; x.len()];
+    matrix.multiply(&x, &mut together);
+    for (x, y) in x.chunks_exact(50).zip(together.chunks_exact(50)) {
+        let mut alone = vec![0.0; 50];
+        matrix.multiply(x, &mut alone);
+        assert!(alone.iter().zip(y).all(|(a, b)| (a - b).abs() < 1e-14 * (1.0 + a.abs())));
+    }
+}
