@@ -236,8 +236,8 @@ fn special_patterns_are_solved() {
     let size = 400;
     // A full row; equal patterns; blocks without connection; all of them connected.
     let dense_row = (1..size).flat_map(|i| [(i, 0, 0.5), (i, i, 1.5), (0, 0, 1.0)]).collect::<Vec<_>>();
-    let twins =
-        (0..size).flat_map(|i| [(i, i, 9.0), (i, i ^ 1, -1.1), (i, (i + 2) % size, 0.7), (i, (i + 2) % size ^ 1, 0.6)]);
+    let twins = (0..size)
+        .flat_map(|i| [(i, i, 9.0), (i, i ^ 1, -1.1), (i, (i + 2) % size, 0.7), (i, ((i + 2) % size) ^ 1, 0.6)]);
     let apart = (0..size).flat_map(|i| [(i, i, 4.0), (i, i / 5 * 5, 0.3)]);
     let full = (0..60).flat_map(|i| (0..=i).map(move |j| (i, j, if i == j { 90.0 } else { 1.0 / (1 + i + j) as f64 })));
     for (size, entries) in
