@@ -2,7 +2,7 @@
 
 use bellcrank_results::{RunResult, StudyResult};
 
-use super::{Escaped, data, model, provenance, sentence, study};
+use super::{Escaped, contours, data, model, provenance, sentence, study};
 use crate::{FigureFile, PictureFile, findings, study_folders, told};
 
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
@@ -20,7 +20,8 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 
 
 /// The whole document; `figures` and `pictures` are those of each study.
 pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>], pictures: &[Vec<Option<PictureFile>>]) -> String {
-    let mut page = head(run);
+    let with_parts = contours::any(pictures);
+    let mut page = head(run, if with_parts { contours::SHEET } else { "" });
     page.reserve(PAGE_BYTES);
     let ids = study_folders(run);
     page.push_str(&header(run));
@@ -41,24 +42,31 @@ pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>], pictures: &[Vec
     page.push_str(&provenance::section(run));
     page.push_str("</main>\n");
     data::push(&mut page, run);
-    if run.studies.iter().any(|study| study::moves(run, study)) {
+    if with_parts {
+        contours::push_data(&mut page, run, pictures);
+    }
+    if with_parts || run.studies.iter().any(|study| study::moves(run, study)) {
         page.push_str(&format!(
             "<!-- three.js, (c) three.js authors, MIT licence -->\n\
              <script type=\"text/plain\" id=\"bellcrank-solid\">{SOLID}</script>\n"
         ));
     }
+    if with_parts {
+        page.push_str(&format!("<script>{}</script>\n", contours::SCRIPT));
+    }
     page.push_str(&format!("<script>{SCRIPT}</script>\n</body>\n</html>\n"));
     page
 }
 
-fn head(run: &RunResult) -> String {
+/// `more` is sheet beyond what every page has.
+fn head(run: &RunResult, more: &str) -> String {
     let title = Escaped(title(run));
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
-         <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{SHEET}</style>\n\
+         <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{SHEET}{more}</style>\n\
          <noscript><style>.figures{{display:grid}}.needs-script{{display:none}}</style></noscript>\n\
          </head>\n<body>\n"
     )

@@ -14,6 +14,13 @@ mod surface;
 mod text;
 mod vector;
 
+pub(crate) use axes::plan;
+pub(crate) use palette::{ABOVE, DIVERGING, NONE, SEQUENTIAL};
+pub(crate) use scale::Scale;
+pub(crate) use sheet::{TILT, fields};
+pub(crate) use surface::{nearest, outline, usual_scale};
+pub(crate) use vector::bounds;
+
 use bellcrank_results::{Contour, StudyResult, file_stems};
 
 /// A picture of a part, ready to be written.

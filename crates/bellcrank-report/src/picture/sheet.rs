@@ -64,9 +64,14 @@ pub(crate) fn drawn(contour: &Contour) -> Canvas {
     canvas
 }
 
+/// The fields of a shape; how far it moves where it has none.
+pub(crate) fn fields(contour: &Contour, shape: &ContourShape) -> Vec<ContourField> {
+    if shape.fields.is_empty() { vec![movement(contour, shape)] } else { shape.fields.clone() }
+}
+
 /// The field that is shown first; how far it moves where there is none. Of shapes of arbitrary size beside each
 /// other each is shown against its own largest value.
-pub(crate) fn first_field(contour: &Contour, shape: &ContourShape, several: bool) -> ContourField {
+fn first_field(contour: &Contour, shape: &ContourShape, several: bool) -> ContourField {
     let field = shape.fields.first().cloned().unwrap_or_else(|| movement(contour, shape));
     if !(several && shape.swings) {
         return field;

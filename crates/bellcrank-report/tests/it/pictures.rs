@@ -1,11 +1,11 @@
 //! Pictures of parts: as files, in the page, and where there is nothing to draw.
 
-use std::io::Cursor;
+use std::io::{Cursor, Read};
 
 use bellcrank_report::{PictureFile, pictures, render_html, write_run};
 use bellcrank_results::{Contour, ContourShape, StudyResult};
 
-use crate::markup::assert_balanced;
+use crate::markup::{assert_balanced, between};
 use crate::sample::{lift, stress};
 
 const ABOVE: [u8; 3] = [0xd6, 0x1c, 0x8c];
@@ -65,7 +65,61 @@ fn pictures_stand_in_the_page_and_only_where_there_are_some() {
     assert_balanced(&page);
     assert_eq!(page.matches("<img src=\"data:image/png;base64,iVBORw0KGgo").count(), 3);
     assert!(page.contains("alt=\"strip: stress under 60 MPa tension\""));
-    assert!(!render_html(&lift::run()).contains("contour"));
+}
+
+/// What the page holds of a contour: its description and its numbers, unpacked.
+fn held(page: &str, key: &str) -> (serde_json::Value, Vec<u8>) {
+    let catalogue: serde_json::Value =
+        serde_json::from_str(between(page, "id=\"bellcrank-contours\">", "</script>")).unwrap();
+    let described = catalogue["contours"].as_array().unwrap().iter().find(|part| part["key"] == key).unwrap().clone();
+    let packed = between(page, &format!("id=\"bellcrank-contour-{key}\">"), "</script>");
+    let mut bytes = Vec::new();
+    flate2::read::GzDecoder::new(&unpacked(packed)[..]).read_to_end(&mut bytes).unwrap();
+    (described, bytes)
+}
+
+/// Base64 without checks.
+fn unpacked(text: &str) -> Vec<u8> {
+    const ALPHABET: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let six = |c: char| ALPHABET.find(c).unwrap() as u32;
+    let letters: Vec<u32> = text.trim_end_matches('=').chars().map(six).collect();
+    let four = |group: &[u32]| {
+        let bits = group.iter().enumerate().fold(0, |sum, (k, six)| sum | six << (18 - 6 * k));
+        bits.to_be_bytes()[1..group.len()].to_vec()
+    };
+    letters.chunks(4).flat_map(four).collect()
+}
+
+#[test]
+fn the_page_holds_the_numbers_of_each_contour() {
+    let run = stress::run();
+    let page = render_html(&run);
+    for (key, contour) in [
+        ("0-0", &run.studies[0].contours[0]),
+        ("0-1", &run.studies[0].contours[1]),
+        ("1-0", &run.studies[1].contours[0]),
+    ] {
+        let (described, bytes) = held(&page, key);
+        let nodes = contour.nodes.len();
+        assert_eq!(described["nodes"], nodes);
+        assert_eq!(described["shapes"].as_array().unwrap().len(), contour.shapes.len());
+        let fields: usize = contour.shapes.iter().map(|shape| shape.fields.len()).sum();
+        let pairs = described["edges"].as_u64().unwrap() + described["outline"].as_u64().unwrap();
+        // Each edge of the samples is named by the two faces beside it.
+        assert_eq!(2 * described["edges"].as_u64().unwrap() as usize, contour.edges.len());
+        let expected = 9 * nodes + 12 * contour.triangles.len() + 8 * pairs as usize + 4 * nodes;
+        assert_eq!(bytes.len(), expected + nodes * (6 * contour.shapes.len() + 2 * fields), "{key}");
+    }
+    assert!(page.len() < 1_400_000, "{}", page.len());
+}
+
+#[test]
+fn the_script_of_parts_comes_once_and_only_with_parts() {
+    let page = render_html(&stress::run());
+    assert_eq!(page.matches("id=\"bellcrank-solid\"").count(), 1);
+    assert_eq!(page.matches("data-contour=\"").count(), 3);
+    let without = render_html(&lift::run());
+    assert!(!without.contains("bellcrank-contour") && !without.contains(".contour"));
 }
 
 #[test]

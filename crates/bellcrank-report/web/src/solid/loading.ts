@@ -3,23 +3,30 @@
 import type { Facts } from "../scene/facts";
 import type { View } from "../view";
 
-/** What the packed script leaves behind: a maker of views. */
+/** What the packed script leaves behind: a maker of views, and what other drawings use of it. */
 export type MakeSolid = (facts: Facts) => View;
+export type Kit = typeof import("./kit");
 
 declare global {
   interface Window {
     bellcrankSolid?: MakeSolid;
+    bellcrankKit?: Kit;
+    /** On the way; kept by the page, as two scripts ask for it. */
+    bellcrankLoading?: Promise<void>;
   }
 }
 
-let loading: Promise<MakeSolid> | null = null;
-
 /** A solid view, or why there is none. */
 export async function solidView(facts: Facts): Promise<View | string> {
+  return made(() => window.bellcrankSolid?.(facts));
+}
+
+/** What `make` makes once the script has run, or why there is nothing. */
+export async function made<T>(make: () => T | undefined): Promise<T | string> {
   if (!hasWebGL()) return "this browser has no WebGL 2";
   try {
-    loading ??= unpacked();
-    return (await loading)(facts);
+    await (window.bellcrankLoading ??= unpacked());
+    return make() ?? "its script did not run";
   } catch (error) {
     return `the solid one could not be made (${error instanceof Error ? error.message : String(error)})`;
   }
@@ -32,14 +39,16 @@ function hasWebGL(): boolean {
   return context !== null;
 }
 
-async function unpacked(): Promise<MakeSolid> {
+async function unpacked(): Promise<void> {
   const packed = document.getElementById("bellcrank-solid")?.textContent;
   if (!packed) throw new Error("this page does not hold it");
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   const script = document.createElement("script");
-  script.textContent = await new Response(stream).text();
+  script.textContent = await new Response(gunzipped(packed)).text();
   document.head.append(script);
-  if (!window.bellcrankSolid) throw new Error("its script did not run");
-  return window.bellcrankSolid;
+}
+
+/** Base64 of a gzip file as what it packs. */
+export function gunzipped(packed: string): ReadableStream {
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  return new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
 }

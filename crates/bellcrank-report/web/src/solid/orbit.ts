@@ -36,6 +36,11 @@ export class Orbit {
     return this.size[1] / (2 * Math.tan(OPENING / 2) * this.distance);
   }
 
+  /** Right and up of the picture in the scene. */
+  get sides(): { right: Vector3; up: Vector3 } {
+    return { right: this.right, up: this.up };
+  }
+
   look(side: Side): void {
     this.turn = [...SIDES[side]];
     this.fit(this.size);
