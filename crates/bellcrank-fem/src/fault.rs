@@ -80,10 +80,10 @@ pub enum Fault {
     },
     /// The caller asked to stop.
     Interrupted,
-    /// The eigenvalue iteration or the conjugate gradients did not converge.
+    /// The eigenvalue iteration did not converge.
     NotConverged {
-        /// Residual it got to, relative.
-        residual: f64,
+        /// How many modes it found.
+        found: usize,
     },
 }
 

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use bellcrank_math::linalg::sparse::{Plan, SymmetricMatrix};
+use bellcrank_math::linalg::sparse::{EigenFailure, Eigenpairs, Eigenproblem, Plan, SymmetricMatrix};
 
 use crate::assemble::{self, Kind, Pattern};
 use crate::freedom::{Counting, Freedom};
 use crate::numbering::Numbering;
+use crate::solver::Failed;
 use crate::vector::{self, V3};
 use crate::{CouplingKind, Fault, Part, Settings, check};
 
@@ -49,10 +50,19 @@ impl Modes {
         settings.fits(plan.memory() + 24 * stiffness.values.len())?;
         let free = Freedom::new(part, Counting::Matrix).free.len();
         let count = count.min(numbering.equations);
-        let pairs = crate::solver::lowest(&plan, &stiffness, &mass, count, free, settings)
-            .map_err(|fault| vec![fault.named(&numbering)])?;
+        let problem = Eigenproblem { stiffness: &stiffness, mass: &mass };
+        let pairs = problem
+            .lowest(&plan, count, settings.threads, settings.progress)
+            .map_err(|failure| vec![failed(failure).named(&numbering)])?;
         let effort = crate::Effort { equations: numbering.equations, factor_entries: plan.factor_entries() };
         Ok(collect(&numbering, &stiffness, &mass, &pairs, free, effort))
+    }
+}
+
+fn failed(failure: EigenFailure) -> Failed {
+    match failure {
+        EigenFailure::Factor(failure) => failure.into(),
+        EigenFailure::NotConverged { found } => Failed::NotConverged { found },
     }
 }
 
@@ -60,7 +70,7 @@ fn collect(
     numbering: &Numbering,
     stiffness: &SymmetricMatrix,
     mass: &SymmetricMatrix,
-    pairs: &crate::solver::Pairs,
+    pairs: &Eigenpairs,
     rigid: usize,
     effort: crate::Effort,
 ) -> Modes {

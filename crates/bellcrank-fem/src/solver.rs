@@ -11,7 +11,7 @@ use crate::{Fault, Settings};
 pub(crate) enum Failed {
     Loose { equation: usize },
     Interrupted,
-    NotConverged { residual: f64 },
+    NotConverged { found: usize },
 }
 
 impl Failed {
@@ -19,7 +19,7 @@ impl Failed {
     pub(crate) fn named(self, numbering: &Numbering) -> Fault {
         match self {
             Failed::Interrupted => Fault::Interrupted,
-            Failed::NotConverged { residual } => Fault::NotConverged { residual },
+            Failed::NotConverged { found } => Fault::NotConverged { found },
             Failed::Loose { equation } => {
                 let (node, component) = numbering.owner(equation);
                 Fault::Loose { node: node.unwrap_or(0) as u32, component }

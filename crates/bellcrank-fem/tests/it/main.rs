@@ -5,3 +5,4 @@ mod grids;
 mod patch;
 mod published;
 mod supports;
+mod vibration;
