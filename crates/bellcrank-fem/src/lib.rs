@@ -4,6 +4,8 @@
 //! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error). All in SI and in the axes of the mesh.
 //! No joints, no files, no units; threads as many as the caller says.
 
+#![expect(clippy::needless_range_loop, reason = "indices of components are how the formulas are written down")]
+
 mod assemble;
 mod check;
 mod element;

@@ -94,7 +94,8 @@ fn collect(
 
 /// The sign of a mode means nothing; the largest component is made positive so that it does not change from run to run.
 fn oriented(mut shape: Vec<V3>) -> Vec<V3> {
-    let largest = shape.iter().flatten().fold(0.0_f64, |most, &u| if u.abs() > most.abs() * 1.000_001 { u } else { most });
+    let largest =
+        shape.iter().flatten().fold(0.0_f64, |most, &u| if u.abs() > most.abs() * 1.000_001 { u } else { most });
     if largest < 0.0 {
         shape.iter_mut().for_each(|u| *u = vector::scale(*u, -1.0));
     }

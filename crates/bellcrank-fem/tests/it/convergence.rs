@@ -66,9 +66,9 @@ fn errors(shape: Shape, cells: usize) -> Errors {
             let at: [f64; 3] = std::array::from_fn(|i| mix(&mesh.nodes, i));
             let r = at[0].hypot(at[1]);
             let exact = [radial(r) * at[0] / r, radial(r) * at[1] / r, 0.0];
-            for i in 0..3 {
-                square += (mix(&solution.displacement, i) - exact[i]).powi(2);
-                size += exact[i] * exact[i];
+            for (i, exact) in exact.iter().enumerate() {
+                square += (mix(&solution.displacement, i) - exact).powi(2);
+                size += exact * exact;
             }
         }
     }
