@@ -80,6 +80,11 @@ pub enum Fault {
     },
     /// The caller asked to stop.
     Interrupted,
+    /// Conjugate gradients did not converge: the part is too slender or too badly meshed for them.
+    Stagnated {
+        /// Residual they got to, relative to the loads.
+        residual: f64,
+    },
     /// The eigenvalue iteration did not converge.
     NotConverged {
         /// How many modes it found.

@@ -47,7 +47,9 @@ impl Modes {
         let mass = assemble::matrix(part, &numbering, &pattern, Kind::Mass, settings.threads);
         let mass = assemble::without_zeros(&mass);
         let plan = Arc::new(Plan::new(&stiffness));
-        settings.fits(plan.memory() + 24 * stiffness.values.len())?;
+        settings
+            .fits(plan.memory() + 24 * stiffness.values.len())
+            .map_err(|(needed, allowed)| vec![Fault::Memory { needed, allowed }])?;
         let free = Freedom::new(part, Counting::Matrix).free.len();
         let count = count.min(numbering.equations);
         let problem = Eigenproblem { stiffness: &stiffness, mass: &mass };

@@ -1,13 +1,12 @@
 //! How much of the machine a solution may take.
 
-use crate::Fault;
-
 /// Threads, memory, and whom to tell.
 #[derive(Clone, Copy)]
 pub struct Settings<'a> {
     /// Threads to use.
     pub threads: usize,
-    /// Bytes that a factorization may take; `None` for as many as it wants.
+    /// Bytes that a factorization may take; `None` for as many as it wants. Statics goes over to conjugate gradients
+    /// where the factor takes more.
     pub memory: Option<usize>,
     /// Called with the share that is done (0 to 1); `false` stops the work.
     pub progress: &'a (dyn Fn(f64) -> bool + Sync),
@@ -21,9 +20,10 @@ impl Default for Settings<'_> {
 }
 
 impl Settings<'_> {
-    pub(crate) fn fits(&self, needed: usize) -> Result<(), Vec<Fault>> {
+    /// Whether so many bytes may be taken; what is needed and what is allowed where not.
+    pub(crate) fn fits(&self, needed: usize) -> Result<(), (usize, usize)> {
         match self.memory {
-            Some(allowed) if needed > allowed => Err(vec![Fault::Memory { needed, allowed }]),
+            Some(allowed) if needed > allowed => Err((needed, allowed)),
             _ => Ok(()),
         }
     }

@@ -4,17 +4,13 @@
 //! part free, as many components are pinned and the system is bordered: the frames of distributing couplings hold it
 //! by multipliers, or inertia balances the loads (inertia relief).
 
-use std::sync::Arc;
-
-use bellcrank_math::linalg::{
-    dense,
-    sparse::{Cholesky, Plan},
-};
+use bellcrank_math::linalg::dense;
 
 use crate::assemble::{self, Kind, Pattern};
 use crate::freedom::{Counting, Freedom};
 use crate::load::{self, Loaded};
 use crate::numbering::{Numbering, nodes_of};
+use crate::solver::System;
 use crate::vector::{self, V3};
 use crate::{CouplingKind, Fault, Load, Part, Settings, Support, check, field};
 
@@ -31,7 +27,7 @@ pub enum Free {
 pub struct Statics<'a> {
     part: &'a Part<'a>,
     numbering: Numbering,
-    cholesky: Cholesky,
+    system: System,
     /// Motions that the matrix leaves free.
     loose: Vec<Motion>,
     /// Motions that all supports leave free.
@@ -46,7 +42,7 @@ pub struct Statics<'a> {
 pub struct Effort {
     /// Unknowns.
     pub equations: usize,
-    /// Entries of the factor.
+    /// Entries of the factor; 0 for conjugate gradients.
     pub factor_entries: usize,
 }
 
@@ -109,22 +105,20 @@ impl<'a> Statics<'a> {
         let numbering = Numbering::new(part, &pins)?;
         let pattern = Pattern::new(part, &numbering);
         let stiffness = assemble::matrix(part, &numbering, &pattern, Kind::Stiffness, settings.threads);
-        let plan = Arc::new(Plan::new(&stiffness));
-        settings.fits(plan.memory() + 12 * stiffness.values.len())?;
-        let effort = Effort { equations: numbering.equations, factor_entries: plan.factor_entries() };
-        let cholesky =
-            crate::solver::factor(&plan, &stiffness, settings).map_err(|fault| vec![fault.named(&numbering)])?;
+        let (system, factor_entries) =
+            System::new(stiffness, settings).map_err(|failed| vec![failed.named(&numbering)])?;
+        let effort = Effort { equations: numbering.equations, factor_entries };
         let loose = matrix.free.iter().map(|motion| Motion::new(part, &matrix, motion)).collect();
         let relieved = all.free.iter().map(|motion| Motion::new(part, &all, motion)).collect();
-        let mut statics = Self { part, numbering, cholesky, loose, relieved, ties: Vec::new(), effort };
-        statics.ties = statics.multipliers();
+        let mut statics = Self { part, numbering, system, loose, relieved, ties: Vec::new(), effort };
+        statics.ties = statics.multipliers()?;
         Ok(statics)
     }
 
     /// One load case.
     ///
     /// # Errors
-    /// Loads on nothing.
+    /// Loads on nothing; conjugate gradients that do not converge.
     pub fn solve(&self, loads: &[Load]) -> Result<Solution, Vec<Fault>> {
         let faults = check::loads(self.part, loads);
         if !faults.is_empty() {
@@ -143,7 +137,7 @@ impl<'a> Statics<'a> {
         }
         let mut q = vec![0.0; self.numbering.equations];
         self.numbering.gather(&forces, &loaded.frames, &mut q);
-        self.cholesky.solve(&mut q);
+        self.answer(&mut q)?;
         let (multipliers, shares) = self.border(&q, &forces, &loaded.frames, &held);
         for (tie, multiplier) in self.ties.iter().zip(&multipliers) {
             q.iter_mut().zip(&tie.answer).for_each(|(q, answer)| *q -= answer * multiplier);
@@ -204,7 +198,7 @@ impl<'a> Statics<'a> {
         Some(resultant)
     }
 
-    fn multipliers(&self) -> Vec<Multiplier> {
+    fn multipliers(&self) -> Result<Vec<Multiplier>, Vec<Fault>> {
         let mut ties = Vec::new();
         for (index, coupling) in self.part.couplings.iter().enumerate() {
             if coupling.kind != CouplingKind::Distributing {
@@ -215,12 +209,16 @@ impl<'a> Statics<'a> {
                     let nodal = self.unit(index, component);
                     let mut answer = vec![0.0; self.numbering.equations];
                     self.numbering.gather(&nodal, &[], &mut answer);
-                    self.cholesky.solve(&mut answer);
+                    self.answer(&mut answer)?;
                     ties.push(Multiplier { nodal, value, at: (index, component), answer });
                 }
             }
         }
-        ties
+        Ok(ties)
+    }
+
+    fn answer(&self, q: &mut [f64]) -> Result<(), Vec<Fault>> {
+        self.system.solve(q).map_err(|failed| vec![failed.named(&self.numbering)])
     }
 
     /// Nodal forces of a unit force or moment on the frame of a distributing coupling.

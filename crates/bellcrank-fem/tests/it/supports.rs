@@ -190,3 +190,87 @@ fn free_motions_are_named() {
     assert!(cross(axis, d).iter().all(|x| x.abs() < 1e-9) && cross(axis, r).iter().all(|x| x.abs() < 1e-9));
     assert!(pitch.abs() < 1e-9);
 }
+
+#[test]
+fn what_does_not_fit_is_iterated_or_refused() {
+    let mesh = bar(Shape::Tet10);
+    let [first, last] = ends(&mesh, [6, 2, 2]);
+    let nodes = first.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+    let part = Part {
+        mesh: &mesh,
+        materials: vec![steel()],
+        supports: vec![Support::clamped(nodes)],
+        couplings: vec![Coupling::free(Region::Faces(last), [0.6, 0.1, 0.0], CouplingKind::Distributing)],
+    };
+    let load = [Load::Frame { coupling: 0, force: [310.0, -170.0, 420.0], moment: [12.0, -31.0, 17.0] }];
+    let within = |memory| Statics::new(&part, Free::Refused, &Settings { memory, ..settings() });
+    let direct = within(None).unwrap();
+    assert!(direct.effort.factor_entries > 0);
+    let entries = direct.effort.factor_entries;
+    // Room for the matrix and its incomplete factor, not for the complete one.
+    let iterated = within(Some(8 * entries)).unwrap();
+    assert_eq!(iterated.effort.factor_entries, 0);
+    let (a, b) = (direct.solve(&load).unwrap(), iterated.solve(&load).unwrap());
+    let size = a.displacement.iter().flatten().fold(0.0_f64, |m, u| m.max(u.abs()));
+    for (a, b) in a.displacement.iter().zip(&b.displacement) {
+        assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-7 * size));
+    }
+    let Err(faults) = within(Some(1000)) else { panic!("no memory") };
+    assert!(matches!(faults[..], [Fault::Memory { needed, allowed: 1000 }] if needed > 1000));
+}
+
+/// A rocking triangle of three springs, a bore loaded by a pin, a skew prescribed support.
+#[test]
+fn springs_bearings_and_skew_supports_balance() {
+    let mesh = bar(Shape::Hex20);
+    let [first, last] = ends(&mesh, [6, 2, 2]);
+    let (c, s) = (0.8, 0.6);
+    let axes = [[c, s, 0.0], [-s * 0.6, c * 0.6, 0.8], [s * 0.8, -c * 0.8, 0.6]];
+    let nodes: Vec<u32> = first.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+    let ends: Vec<u32> = last.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+    let part = Part {
+        mesh: &mesh,
+        materials: vec![steel()],
+        supports: vec![
+            Support::Fixed { nodes: nodes.clone(), axes, values: [Some(1e-5), None, Some(-2e-5)] },
+            Support::Spring { nodes: ends, stiffness: [2e6, 5e6, 3e6] },
+        ],
+        couplings: vec![],
+    };
+    let statics = Statics::new(&part, Free::Refused, &settings()).unwrap();
+    let force = [240.0, 310.0, -150.0];
+    let pin = Load::Bearing { faces: last.clone(), center: [0.3, 0.0, 0.1], axis: [0.0, 0.6, 0.8], force };
+    let solution = statics.solve(&[pin, Load::Gravity([0.0, 0.0, -9.81])]).unwrap();
+    assert!(solution.residual < 1e-8, "{}", solution.residual);
+    for &node in &nodes {
+        let u = solution.displacement[node as usize];
+        let along = |axis: [f64; 3]| (0..3).map(|i| axis[i] * u[i]).sum::<f64>();
+        assert!((along(axes[0]) - 1e-5).abs() < 1e-16 && (along(axes[2]) + 2e-5).abs() < 1e-16);
+        let r = solution.reactions[node as usize];
+        let free: f64 = (0..3).map(|i| axes[1][i] * r[i]).sum();
+        assert!(free.abs() < 1e-6, "the free direction holds nothing: {free}");
+    }
+    let mut volume = 0.0;
+    for element in mesh.blocks[0].elements() {
+        let (mut n, mut d) = ([0.0; 20], [[0.0; 3]; 20]);
+        for point in Shape::Hex20.mass_points() {
+            Shape::Hex20.evaluate(point.at, &mut n, &mut d);
+            let j: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|k| {
+                    element.iter().zip(&d).map(|(&node, d)| d[i] * mesh.nodes[node as usize][k]).sum()
+                })
+            });
+            let cross = [
+                j[1][1] * j[2][2] - j[1][2] * j[2][1],
+                j[1][2] * j[2][0] - j[1][0] * j[2][2],
+                j[1][0] * j[2][1] - j[1][1] * j[2][0],
+            ];
+            volume += point.weight * (0..3).map(|k| j[0][k] * cross[k]).sum::<f64>();
+        }
+    }
+    let sum = sum_of(&mesh, &solution, [0.0; 3]);
+    let loads = [force[0], force[1], force[2] - 9.81 * 7850.0 * volume];
+    for i in 0..3 {
+        assert!((sum[i] + loads[i]).abs() < 1e-6, "{sum:?} {loads:?}");
+    }
+}
