@@ -11,10 +11,12 @@ mod link;
 mod moments;
 mod plane;
 mod revolved;
+mod shell;
 mod stack;
 
 pub use fault::{Fault, Part, Quantity};
 pub use link::{Bar, Corner, Cut, CutShape, Eye, Link, Plate, Profile, Web};
 pub use moments::{MassProperties, Moments};
 pub use revolved::Revolved;
+pub use shell::{Face, Form, Path, SharpEdge, Shell, ShellEdge, Surface, step, stl};
 pub use stack::{Bore, Cell, Curve, Edge, Stack};

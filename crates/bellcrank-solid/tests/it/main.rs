@@ -1,6 +1,8 @@
 //! Solids against closed forms, other routes to the same number, and other programs.
 
 mod derivatives;
+mod gmsh;
 mod parts;
 mod random;
 mod shapes;
+mod shells;
