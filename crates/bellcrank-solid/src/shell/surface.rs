@@ -1,9 +1,11 @@
 //! Triangles on a shell.
 
+use std::collections::{HashMap, HashSet, VecDeque};
+
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::space::{Place, across, any_across, cross, dot, norm, sub, unit};
-use super::{Form, Path, Shell, ShellEdge};
+use super::{Face, Form, Path, Shell, ShellEdge};
 
 /// A closed surface of triangles; lengths in m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,13 +43,32 @@ impl Shell {
         let chains: Vec<Vec<u32>> = self.edges.iter().map(|edge| self.chain(edge, tolerance, &mut surface)).collect();
         for face in &self.faces {
             let loops: Vec<Vec<u32>> = face.loops.iter().map(|walk| nodes_along(walk, &chains)).collect();
-            let triangles = triangulate(&face.form, &loops, &surface.nodes)?;
+            let triangles = triangulate(&face.form, &loops, &self.rulings(face, &chains), &surface.nodes)?;
             surface.triangles.extend(triangles);
         }
         let folds = self.folds();
         let showing = chains.iter().zip(folds).filter(|(_, fold)| fold.abs() > SMOOTH);
         surface.edges = showing.flat_map(|(chain, _)| chain.windows(2).map(|pair| [pair[0], pair[1]])).collect();
         Some(surface)
+    }
+
+    /// Straight lines on a curved face between the two arcs that bound it, so that no triangle cuts a corner round it.
+    fn rulings(&self, face: &Face, chains: &[Vec<u32>]) -> Vec<[u32; 2]> {
+        let walk = face.loops.iter().flatten();
+        let arcs: Vec<Vec<u32>> = walk
+            .filter(|(edge, _)| matches!(self.edges[*edge].path, Path::Circle { .. }))
+            .map(|(edge, forward)| {
+                let chain = chains[*edge].iter().copied();
+                if *forward { chain.collect() } else { chain.rev().collect() }
+            })
+            .collect();
+        match (&face.form, &arcs[..]) {
+            (Form::Cylinder { .. } | Form::Cone { .. }, [a, b]) if a.len() == b.len() => {
+                let pairs = a.iter().zip(b.iter().rev()).map(|(a, b)| [*a, *b]);
+                pairs.skip(1).take(a.len().saturating_sub(2)).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 
     /// Nodes along an edge; those between its ends are new.
@@ -85,11 +106,12 @@ fn nodes_along(walk: &[(usize, bool)], chains: &[Vec<u32>]) -> Vec<u32> {
 }
 
 /// Triangles of a face between its loops; `None` where chords of two loops cross.
-fn triangulate(form: &Form, loops: &[Vec<u32>], nodes: &[Place]) -> Option<Vec<[u32; 3]>> {
+fn triangulate(form: &Form, loops: &[Vec<u32>], rulings: &[[u32; 2]], nodes: &[Place]) -> Option<Vec<[u32; 3]>> {
     let used: Vec<u32> = loops.iter().flatten().copied().collect();
     let flat = flattened(form, &used.iter().map(|n| nodes[*n as usize]).collect::<Vec<_>>());
-    let mut mesh = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
-    let mut names = std::collections::HashMap::new();
+    let mut mesh = Mesh::new();
+    let mut names = Names::new();
+    let mut places = HashMap::new();
     let mut handles = Vec::new();
     for (place, node) in flat.iter().zip(&used) {
         let handle = mesh.insert(Point2::new(place[0], place[1])).ok()?;
@@ -98,7 +120,9 @@ fn triangulate(form: &Form, loops: &[Vec<u32>], nodes: &[Place]) -> Option<Vec<[
             return None;
         }
         handles.push(handle);
+        places.insert(*node, handle);
     }
+    let mut bounds = HashSet::new();
     let mut start = 0;
     for walk in loops {
         let around = &handles[start..start + walk.len()];
@@ -107,27 +131,33 @@ fn triangulate(form: &Form, loops: &[Vec<u32>], nodes: &[Place]) -> Option<Vec<[
                 return None;
             }
             mesh.add_constraint(*a, *b);
+            bounds.extend([(*a, *b), (*b, *a)]);
         }
         start += walk.len();
     }
-    Some(inner_triangles(&mesh, &names))
+    for [a, b] in rulings.iter().map(|ends| ends.map(|node| places[&node])) {
+        if mesh.can_add_constraint(a, b) {
+            mesh.add_constraint(a, b);
+        }
+    }
+    Some(inner_triangles(&mesh, &names, &bounds))
 }
 
+type Handle = spade::handles::FixedVertexHandle;
 type Mesh = ConstrainedDelaunayTriangulation<Point2<f64>>;
-type Names = std::collections::HashMap<spade::handles::FixedVertexHandle, u32>;
+type Names = HashMap<Handle, u32>;
 
 /// Triangles that an odd number of chords separates from the outside.
-fn inner_triangles(mesh: &Mesh, names: &Names) -> Vec<[u32; 3]> {
+fn inner_triangles(mesh: &Mesh, names: &Names, bounds: &HashSet<(Handle, Handle)>) -> Vec<[u32; 3]> {
     let mut inside = vec![None; mesh.num_all_faces()];
     let outer = mesh.outer_face().fix();
     inside[outer.index()] = Some(false);
-    let mut open = std::collections::VecDeque::new();
-    let mut queue: Vec<_> = mesh.convex_hull().map(|edge| (edge.fix(), false)).collect();
-    open.extend(queue.drain(..));
+    let mut open: VecDeque<_> = mesh.convex_hull().map(|edge| (edge.fix(), false)).collect();
     while let Some((edge, here)) = open.pop_front() {
         let edge = mesh.directed_edge(edge);
         let there = edge.rev().face();
-        let within = here != edge.is_constraint_edge();
+        let [a, b] = edge.vertices().map(|v| v.fix());
+        let within = here != bounds.contains(&(a, b));
         if inside[there.fix().index()].is_some() {
             continue;
         }

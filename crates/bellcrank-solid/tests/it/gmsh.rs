@@ -32,13 +32,14 @@ fn read(name: &str, files: &[String]) -> Option<Vec<Vec<Read>>> {
     }
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).expect("a folder for the files");
-    let mut script = "General.Terminal = 1; Geometry.OCCFixDegenerated = 0;\n".to_owned();
+    let mut script = "General.Terminal = 1;\n".to_owned();
     for (i, file) in files.iter().enumerate() {
         std::fs::write(folder.join(format!("{i}.step")), file).expect("a file");
         script += &format!(
-            "Delete All; Merge \"{i}.step\"; v() = Volume{{:}};\n\
-             For k In {{0 : #v()-1}}\n c() = CenterOfMass Volume{{v(k)}}; s() = Boundary{{ Volume{{v(k)}}; }};\n\
-             Printf(\"READ {i} %.15g %.15g %.15g %.15g %.15g\", Mass Volume{{v(k)}}, c(0), c(1), c(2), #s());\nEndFor\n"
+            "Delete All; SetFactory(\"OpenCASCADE\"); Merge \"{i}.step\"; v() = Volume{{:}};\n\
+             For k In {{0 : #v()-1}}\n m = Mass Volume{{v(k)}}; c() = CenterOfMass Volume{{v(k)}};\n\
+             s() = Boundary{{ Volume{{v(k)}}; }};\n\
+             Printf(\"READ {i} %.15g %.15g %.15g %.15g %.15g\", m, c(0), c(1), c(2), #s());\nEndFor\n"
         );
     }
     std::fs::write(folder.join("all.geo"), script).expect("a script");

@@ -42,8 +42,7 @@ fn assert_watertight(surface: &Surface, what: &str) {
 fn volume(surface: &Surface) -> f64 {
     let at = |n: u32| surface.nodes[n as usize];
     let six = |[a, b, c]: &[u32; 3]| {
-        let ([a, b, c], [d, e, f], [g, h, i]) = (at(*a).into(), at(*b).into(), at(*c).into());
-        let (a, b, c, d, e, f, g, h, i): (f64, f64, f64, f64, f64, f64, f64, f64, f64) = (a, b, c, d, e, f, g, h, i);
+        let ([a, b, c], [d, e, f], [g, h, i]) = (at(*a), at(*b), at(*c));
         a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     };
     surface.triangles.iter().map(six).sum::<f64>() / 6.0
