@@ -4,9 +4,10 @@ mod facts;
 mod notes;
 mod show;
 
-pub(crate) use facts::{check, counted};
+pub(crate) use facts::{check, counted, solid_fact};
+pub use show::solid_table;
 
-use bellcrank_results::{Failure, Programme, SpaceKind};
+use bellcrank_results::{Failure, Programme, SpaceKind, Unit};
 
 /// A body in a check.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,31 @@ pub struct BodyFact {
     pub mass: f64,
     /// Joints at it.
     pub joints: Vec<String>,
+    /// What its mass properties come from.
+    pub solid: Option<SolidFact>,
+}
+
+/// The solid of a body, in body axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidFact {
+    /// Name of the body.
+    pub body: String,
+    /// Name of the solid.
+    pub solid: String,
+    /// Name of its material.
+    pub material: String,
+    /// What the file says of the material: key, SI values, unit; one value, or one for each axis.
+    pub properties: Vec<(&'static str, Vec<f64>, &'static str)>,
+    /// m³
+    pub volume: f64,
+    /// kg
+    pub mass: f64,
+    /// Centre of mass, m.
+    pub center: [f64; 3],
+    /// Tensor about the centre of mass, kg·m².
+    pub inertia: [[f64; 3]; 3],
+    /// Unit that lengths are shown in.
+    pub length: Unit,
 }
 
 /// A joint in a check.

@@ -4,12 +4,17 @@ use bellcrank_multibody::{Coordinate, Place};
 use bellcrank_results::{Arrow, Drawing, DrawnBody, DrawnJoint, SpaceKind};
 
 use crate::build::Built;
-use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task, moved};
+use crate::design::{Body, Design, ForceShape, Joint, Over, Study, Task, Values, moved};
+use crate::parts;
 
 pub(crate) fn drawing(design: &Design, built: &Built, studies: &[Study]) -> Drawing {
     let places = &built.geometry.points;
     let driven = driven(design, studies);
-    let body = |(index, body): (usize, &Body)| drawn_body(built, index, body);
+    let values = Values::new(&design.scopes, &design.scopes[0].parameters);
+    let body = |(index, body): (usize, &Body)| DrawnBody {
+        surface: parts::surface(design, &values, index),
+        ..drawn_body(built, index, body)
+    };
     let joint = |(index, joint): (usize, &Joint)| {
         let is_driven = driven.iter().any(|c| c.joint.0 == index);
         drawn_joint(joint, &built.blueprint.joints[index], is_driven)

@@ -21,6 +21,14 @@ const OTHER_WORDS: &[(&str, &str)] = &[
     ("vary", "variables"),
     ("study", "of"),
     ("max_iterations", "iterations"),
+    ("rho", "density"),
+    ("E", "young"),
+    ("nu", "poisson"),
+    ("G", "shear"),
+    ("yield_strength", "yield"),
+    ("hole", "bore"),
+    ("diameter", "outer"),
+    ("radius", "fillet"),
 ];
 
 /// A cursor over a table of a known schema.
@@ -36,7 +44,11 @@ impl<'a> Keyed<'a> {
     /// Opens a table; one with kinds reads its `kind` first.
     pub(crate) fn new(fields: Fields<'a>, schema: &'static Schema, space: usize) -> Keyed<'a> {
         let kinds: Vec<&'static str> = schema.kinds.iter().map(|kind| kind.name).collect();
-        let kind = if kinds.is_empty() { None } else { kind_of(&fields, &kinds) };
+        let kind = match (kinds.is_empty(), schema.usual) {
+            (true, _) => None,
+            (false, Some(usual)) if !fields.has("kind") => Some(usual),
+            _ => kind_of(&fields, &kinds),
+        };
         let hints = move |key: &str| what_to_write(schema, kind, space, key);
         Keyed { fields: fields.with_hints(hints).with_other_words(OTHER_WORDS), schema, kind, space }
     }
@@ -161,6 +173,29 @@ impl<'a> Keyed<'a> {
         let Shape::List(dimension, lengths) = self.key(name)?.shape else { return None };
         let value = self.value(name)?;
         self.reader().uniform_vector(value, &self.named(name), dimension, lengths)
+    }
+
+    /// The same, or a single value where the list may have one.
+    pub(crate) fn one_or_list(&self, name: &'static str) -> Option<Vec<Expression>> {
+        let Shape::List(dimension, lengths) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        if value.as_list().is_none() && lengths.contains(&1) {
+            return self.reader().quantity(value, &self.named(name), dimension).map(|one| vec![one]);
+        }
+        self.reader().uniform_vector(value, &self.named(name), dimension, lengths)
+    }
+
+    /// A list of pairs of values.
+    pub(crate) fn pairs(&self, name: &'static str) -> Option<Vec<[Expression; 2]>> {
+        let Shape::Pairs(dimension) = self.key(name)?.shape else { return None };
+        let what = self.named(name);
+        let pair = |value: &Value| {
+            let pair = self.reader().uniform_vector(value, &format!("each pair of {what}"), dimension, &[2])?;
+            pair.try_into().ok()
+        };
+        let pairs: Vec<Option<[Expression; 2]>> =
+            self.reader().list(self.value(name)?, &what)?.iter().map(pair).collect();
+        pairs.into_iter().collect()
     }
 
     /// Text, or a name.

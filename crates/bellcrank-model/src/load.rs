@@ -138,6 +138,7 @@ fn evaluate(read: &ReadModel, diagnostics: &mut Diagnostics) {
 
 fn faults(design: &Design, values: &Values, whole: bool) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
+    build::material_faults(design, values, &mut faults);
     if let Some(built) = build::build(design, values, &mut faults)
         && whole
         && let Err(fault) = build::engine(design, &built)

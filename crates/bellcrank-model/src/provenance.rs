@@ -43,8 +43,13 @@ pub(crate) fn provenance(file: &str, hash: &str) -> Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         file: file.to_owned(),
         hash: hash.to_owned(),
-        date: date(SystemTime::now()),
+        date: now(),
     }
+}
+
+/// The time, ISO 8601 in UTC, to the second.
+pub(crate) fn now() -> String {
+    date(SystemTime::now())
 }
 
 /// ISO 8601 in UTC, to the second.

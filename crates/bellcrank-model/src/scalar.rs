@@ -13,7 +13,7 @@ use bellcrank_doc::Number;
 use bellcrank_math::{Dual, Real};
 
 /// A scalar of mechanics that expressions can be evaluated over.
-pub(crate) trait Scalar: Real {
+pub(crate) trait Scalar: Real + PartialEq {
     /// The same number as expressions see it.
     type Number: Number + Debug;
 

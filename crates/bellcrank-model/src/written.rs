@@ -7,7 +7,7 @@ use crate::provenance::Fingerprint;
 use crate::read::Part;
 
 /// Parts that are told by the name of what they define.
-const NAMED: &[&str] = &["bodies", "joints", "forces", "motions", "subsystems", "studies"];
+const NAMED: &[&str] = &["bodies", "joints", "forces", "motions", "subsystems", "studies", "materials", "solids"];
 /// What does not count: format and title; display units, which are told by the columns they stand over.
 const SILENT: &[&str] = &["bellcrank", "title", "units"];
 

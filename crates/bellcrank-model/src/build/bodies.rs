@@ -8,13 +8,25 @@ use bellcrank_multibody::{Body as BodyNumbers, BodyId, Place};
 
 use super::Numbers;
 use super::frames::{self, Matrix};
+use super::solids::{self, Kept};
 use crate::design::{Body, Point, Quantity, Rotation};
 use crate::scalar::Scalar;
 
-pub(super) fn bodies<T: Scalar>(numbers: &mut Numbers<'_, T>, bodies: &mut Vec<BodyNumbers<T>>) {
+/// Mass properties of all bodies, whose points are there already.
+pub(super) fn bodies<T: Scalar>(
+    numbers: &mut Numbers<'_, T>,
+    points: &[Vec<Place<T>>],
+    solids: &mut Vec<Kept<T>>,
+    bodies: &mut Vec<BodyNumbers<T>>,
+) {
     let design = numbers.design;
     bodies.clear();
-    bodies.extend(design.bodies.iter().map(|body| one(numbers, body)));
+    solids.resize_with(design.bodies.len(), Kept::default);
+    let all = design.bodies.iter().zip(points).zip(solids);
+    bodies.extend(all.map(|((body, places), kept)| match &body.solid {
+        Some(worn) => solids::mass(numbers, worn, places, kept),
+        None => one(numbers, body),
+    }));
 }
 
 fn one<T: Scalar>(numbers: &mut Numbers<'_, T>, body: &Body) -> BodyNumbers<T> {

@@ -6,8 +6,10 @@ mod forces;
 mod forward;
 mod frames;
 mod joints;
+mod materials;
 mod plausible;
 mod programme;
+mod solids;
 mod studies;
 
 use std::fmt::Arguments;
@@ -21,22 +23,32 @@ use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
 pub(crate) use forward::idle_velocities;
+pub(crate) use materials::{ElasticNumbers, MaterialNumbers, material, material_faults};
 pub(crate) use plausible::{implausible, implausible_study};
 pub(crate) use programme::programme_faults;
+use solids::Kept;
+pub(crate) use solids::{Form, solid_of};
 
 /// A model in numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Built<T = f64> {
     pub(crate) blueprint: Blueprint<T>,
     pub(crate) geometry: Geometry<T>,
+    /// What the solids came to, by body.
+    solids: Vec<Kept<T>>,
 }
 
 impl<T: Scalar> Built<T> {
+    /// Volume of the solid of a body, m³.
+    pub(crate) fn volume(&self, body: usize) -> Option<T> {
+        self.solids.get(body)?.volume()
+    }
+
     /// Nothing yet, for [`rebuild`].
     pub(crate) fn empty() -> Built<T> {
         let gravity = [T::zero(); 3];
         let blueprint = Blueprint { gravity, bodies: Vec::new(), joints: Vec::new(), forces: Vec::new(), inputs: 0 };
-        Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() } }
+        Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() }, solids: Vec::new() }
     }
 }
 
@@ -47,7 +59,7 @@ pub(crate) fn build<T: Scalar>(design: &Design, values: &Values<T>, faults: &mut
 }
 
 /// Evaluates a model in the memory of a former evaluation, and says whether its numbers are fit for a mechanism: what
-/// they are not fit for is reported, and `built` is of no use then. Allocates for reports only.
+/// they are not fit for is reported, and `built` is of no use then. Allocates for reports and for solids that change only.
 pub(crate) fn rebuild<T: Scalar>(
     design: &Design,
     values: &Values<T>,
@@ -56,11 +68,11 @@ pub(crate) fn rebuild<T: Scalar>(
 ) -> bool {
     let before = faults.len();
     let mut numbers = Numbers { design, values, faults };
-    let Built { blueprint, geometry } = built;
+    let Built { blueprint, geometry, solids } = built;
     blueprint.inputs = design.inputs.len();
     blueprint.gravity = numbers.vector(&design.gravity, format_args!("`gravity`"));
-    bodies::bodies(&mut numbers, &mut blueprint.bodies);
     bodies::points(&mut numbers, &mut geometry.points);
+    bodies::bodies(&mut numbers, &geometry.points, solids, &mut blueprint.bodies);
     joints::joints(&mut numbers, &geometry.points, &mut blueprint.joints);
     forces::forces(&mut numbers, geometry, &mut blueprint.forces);
     faults.len() == before
@@ -100,6 +112,16 @@ impl<T: Scalar> Numbers<'_, T> {
         let number = self.number(quantity, what);
         if number.value() < 0.0 {
             self.report("negative", quantity.span(), format!("{what} is negative"));
+        }
+        number
+    }
+
+    /// A finite number above zero.
+    fn above_zero(&mut self, quantity: &Quantity, what: Arguments<'_>) -> T {
+        let before = self.faults.len();
+        let number = self.number(quantity, what);
+        if self.faults.len() == before && number.value() <= 0.0 {
+            self.report("out-of-range", quantity.span(), format!("{what} must be above zero"));
         }
         number
     }

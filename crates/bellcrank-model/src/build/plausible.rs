@@ -10,11 +10,12 @@ const SLACK: f64 = 1e-6;
 
 /// Mass properties that contradict each other.
 pub(crate) fn implausible(design: &Design, values: &Values) -> Vec<Diagnostic> {
-    let mut faults = Vec::new();
-    let mut numbers = Vec::new();
-    super::bodies::bodies(&mut Numbers { design, values, faults: &mut faults }, &mut numbers);
-    let bodies = design.bodies.iter().zip(&numbers);
-    bodies.filter_map(|(body, numbers)| mass(body, numbers).or_else(|| inertia(body, numbers))).collect()
+    let Some(built) = super::build(design, values, &mut Vec::new()) else { return Vec::new() };
+    let bodies = design.bodies.iter().zip(&built.blueprint.bodies);
+    let mut found: Vec<Diagnostic> =
+        bodies.filter_map(|(body, numbers)| mass(body, numbers).or_else(|| inertia(body, numbers))).collect();
+    found.extend(super::solids::warnings(design, values, &built));
+    found
 }
 
 fn mass(body: &Body, numbers: &bellcrank_multibody::Body<f64>) -> Option<Diagnostic> {

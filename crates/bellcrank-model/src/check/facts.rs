@@ -3,9 +3,11 @@
 use bellcrank_multibody::Freedom;
 use bellcrank_results::{Failure, Programme};
 
-use super::{BodyFact, Check, JointFact, notes};
+use super::{BodyFact, Check, JointFact, SolidFact, notes};
 use crate::Model;
+use crate::build::{self, ElasticNumbers, MaterialNumbers};
 use crate::design::{Design, Joint};
+use crate::measure::Measure;
 use crate::run::{Namer, failure, programme};
 
 /// All there is to say before anything runs.
@@ -77,8 +79,56 @@ fn bodies(model: &Model) -> Vec<BodyFact> {
         name: body.name.clone(),
         mass: numbers.get(index).map_or(0.0, |body| body.mass),
         joints: joints_at(index),
+        solid: solid_fact(model, index),
     };
     design.bodies.iter().enumerate().skip(1).map(fact).collect()
+}
+
+fn properties(of: &MaterialNumbers) -> Vec<(&'static str, Vec<f64>, &'static str)> {
+    let mut told = Vec::new();
+    let mut tell = |key, values: &[f64], unit| told.push((key, values.to_vec(), unit));
+    if let Some(density) = of.density {
+        tell("density", &[density], "kg/m^3");
+    }
+    match of.elastic {
+        Some(ElasticNumbers::Isotropic { young, poisson }) => {
+            tell("young", &[young], "Pa");
+            tell("poisson", &[poisson], "");
+        }
+        Some(ElasticNumbers::Orthotropic { young, poisson, shear }) => {
+            tell("young", &young, "Pa");
+            tell("poisson", &poisson, "");
+            tell("shear", &shear, "Pa");
+        }
+        None => {}
+    }
+    if let Some(strength) = of.strength {
+        tell("yield", &[strength], "Pa");
+    }
+    if let Some(expansion) = of.expansion {
+        tell("expansion", &expansion, "1/K");
+    }
+    told
+}
+
+/// The solid of a body in numbers.
+pub(crate) fn solid_fact(model: &Model, body: usize) -> Option<SolidFact> {
+    let (design, built) = (model.design(), model.built());
+    let of = design.bodies.get(body)?;
+    let solid = design.solids.get(of.solid.as_ref()?.solid)?;
+    let numbers = built.blueprint.bodies.get(body)?;
+    let material = solid.material?;
+    Some(SolidFact {
+        body: of.name.clone(),
+        solid: solid.name.clone(),
+        material: design.materials.get(material)?.name.clone(),
+        properties: properties(&build::material(design, &model.own_values(), material, &mut Vec::new())?),
+        volume: built.volume(body)?,
+        mass: numbers.mass,
+        center: numbers.center,
+        inertia: numbers.inertia,
+        length: design.units.of(Measure::Length),
+    })
 }
 
 fn joint_fact(design: &Design, joint: &Joint, closing: &[&str]) -> JointFact {

@@ -74,7 +74,7 @@ fn still_masses(model: &Model) -> Vec<String> {
     let design = model.design();
     let masses = &model.built().blueprint.bodies;
     let without = |(body, numbers): &(&Body, &bellcrank_multibody::Body<f64>)| {
-        numbers.mass > 0.0 && body.center.is_none() && body.points.len() > 1
+        numbers.mass > 0.0 && body.center.is_none() && body.solid.is_none() && body.points.len() > 1
     };
     let names: Vec<&str> =
         design.bodies.iter().zip(masses).skip(1).filter(without).map(|(body, _)| body.name.as_str()).collect();
@@ -145,6 +145,12 @@ impl Used {
                 self.quantities(&point.at);
                 self.rotation(&point.rotation);
             }
+        }
+        for material in &design.materials {
+            material.each_quantity(&mut |quantity| self.quantity(quantity));
+        }
+        for solid in &design.solids {
+            solid.form.each_quantity(&mut |quantity| self.quantity(quantity));
         }
         for joint in &design.joints {
             self.quantities(joint.start.iter().flatten());

@@ -3,7 +3,7 @@
 use bellcrank_results::{Move, Programme, SpaceKind, moves};
 use serde_json::{Value, json};
 
-use super::{BodyFact, Check, JointFact};
+use super::{BodyFact, Check, JointFact, SolidFact};
 use crate::run::shown;
 
 impl Check {
@@ -16,6 +16,11 @@ impl Check {
         lines.push("bodies".to_owned());
         let wide = self.name_column();
         lines.extend(self.bodies.iter().map(|body| body_line(body, wide)));
+        let solids: Vec<&SolidFact> = self.bodies.iter().filter_map(|body| body.solid.as_ref()).collect();
+        if !solids.is_empty() {
+            lines.push("solids".to_owned());
+            lines.extend(solids.into_iter().flat_map(|solid| solid_lines(solid, wide)));
+        }
         lines.push("joints".to_owned());
         lines.extend(self.joints.iter().map(|joint| joint_line(joint, wide)));
         if !self.studies.is_empty() {
@@ -123,6 +128,26 @@ impl Check {
     }
 }
 
+impl SolidFact {
+    /// For programs.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!({
+            "body": self.body,
+            "solid": self.solid,
+            "material": self.material,
+            "properties": self.properties.iter().map(|(key, values, unit)| {
+                let value = if let [one] = values.as_slice() { json!(one) } else { json!(values) };
+                ((*key).to_owned(), json!({ "value": value, "unit": unit }))
+            }).collect::<serde_json::Map<_, _>>(),
+            "volume": { "value": self.volume, "unit": "m^3" },
+            "mass": { "value": self.mass, "unit": "kg" },
+            "center": { "value": self.center, "unit": "m" },
+            "inertia": { "value": self.inertia, "unit": "kg*m^2" },
+        })
+    }
+}
+
 fn space(kind: SpaceKind) -> &'static str {
     match kind {
         SpaceKind::Planar => "planar",
@@ -135,6 +160,63 @@ fn body_line(body: &BodyFact, wide: usize) -> String {
     let joints =
         if body.joints.is_empty() { "no joints".to_owned() } else { format!("joints {}", body.joints.join(", ")) };
     format!("  {:<wide$}{mass:<14}{joints}", body.name)
+}
+
+/// A body's solid in four lines.
+fn solid_lines(of: &SolidFact, wide: usize) -> Vec<String> {
+    let show = |x: f64| rounded_near(of.length.show(x), of.length.show(of.volume.cbrt()));
+    let center = of.center.map(show).map(|x| x.to_string()).join(", ");
+    let largest = of.inertia.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let entry = |[i, j]: [usize; 2]| rounded_near(of.inertia[i][j], largest);
+    let list = |places: [[usize; 2]; 3]| places.map(|place| entry(place).to_string()).join(", ");
+    let products = [[0, 1], [0, 2], [1, 2]];
+    let off = if products.iter().any(|&place| entry(place) != 0.0) {
+        format!("; Ixy, Ixz, Iyz [{}]", list(products))
+    } else {
+        String::new()
+    };
+    let symbol = &of.length.symbol;
+    let blank = "";
+    vec![
+        format!("  {:<wide$}{} of {}{}", of.body, of.solid, of.material, property_text(of)),
+        format!("  {blank:<wide$}volume   {} cm^3, mass {} kg", rounded(of.volume * 1e6), rounded(of.mass)),
+        format!("  {blank:<wide$}centre   [{center}] {symbol}"),
+        format!("  {blank:<wide$}inertia  Ixx, Iyy, Izz [{}]{off} kg*m^2", list([[0, 0], [1, 1], [2, 2]])),
+    ]
+}
+
+/// `: density 7850 kg/m^3, young 210 GPa, ...`
+fn property_text(of: &SolidFact) -> String {
+    let number = |x: f64, unit: &str| match unit {
+        // Moduli are told in what data sheets have.
+        "Pa" if x.abs() >= 1e9 => (rounded(x * 1e-9), "GPa"),
+        "Pa" => (rounded(x * 1e-6), "MPa"),
+        _ => (rounded(x), ""),
+    };
+    let one = |(key, values, unit): &(&str, Vec<f64>, &str)| {
+        let unit_of = |x: f64| match number(x, unit) {
+            (_, "") => (*unit).to_owned(),
+            (_, shown) => shown.to_owned(),
+        };
+        let texts = values.iter().map(|&x| format!("{} {}", number(x, unit).0, unit_of(x)).trim_end().to_owned());
+        let texts: Vec<String> = texts.collect();
+        if let [one] = texts.as_slice() { format!("{key} {one}") } else { format!("{key} [{}]", texts.join(", ")) }
+    };
+    let all: Vec<String> = of.properties.iter().map(one).collect();
+    if all.is_empty() { String::new() } else { format!(": {}", all.join(", ")) }
+}
+
+/// Solids with their mass properties, for people; inertias are about the centre of mass, along body axes.
+#[must_use]
+pub fn solid_table(solids: &[SolidFact]) -> String {
+    let wide = solids.iter().map(|solid| solid.body.chars().count() + 2).fold(16, usize::max);
+    let lines: Vec<String> = solids.iter().flat_map(|solid| solid_lines(solid, wide)).collect();
+    lines.join("\n") + "\n"
+}
+
+/// Six significant digits; zero for what is nothing but rounding beside `size`.
+fn rounded_near(value: f64, size: f64) -> f64 {
+    if value.abs() < 1e-9 * size.abs() { 0.0 } else { rounded(value) }
 }
 
 /// Six significant digits.
@@ -174,7 +256,11 @@ fn move_cells(of: &Programme, one: &Move) -> [String; 4] {
 }
 
 fn body_json(body: &BodyFact) -> Value {
-    json!({ "name": body.name, "mass": { "value": body.mass, "unit": "kg" }, "joints": body.joints })
+    let mut told = json!({ "name": body.name, "mass": { "value": body.mass, "unit": "kg" }, "joints": body.joints });
+    if let Some(solid) = &body.solid {
+        told["solid"] = solid.json();
+    }
+    told
 }
 
 fn joint_json(joint: &JointFact) -> Value {

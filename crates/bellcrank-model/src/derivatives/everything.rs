@@ -94,6 +94,41 @@ joint = "slide"
 start = "{0.07 s}"
 velocity = "{0.3 m/s}"
 
+[materials.steel]
+density = "{7850 kg/m^3}"
+
+[solids.link]
+material = "steel"
+thickness = "{20 mm}"
+fillet = "{3 mm}"
+plane = "zx"
+[solids.link.eyes]
+A = { bore = "{31 mm}", outer = "{71 mm}", width = "{33 mm}", offset = "{4 mm}", clearance = "{83 mm}" }
+B = { bore = "{22 mm}", outer = "{52 mm}", layers = [["{-18 mm}", "{-7 mm}"], ["{8 mm}", "{17 mm}"]] }
+C = { at = ["{110 mm}", "{120 mm}"], bore = "{11 mm}", outer = "{41 mm}" }
+[solids.link.webs]
+box = { kind = "box", between = ["A", "B"], width = ["{44 mm}", "{33 mm}"], height = "{24 mm}", wall = "{5 mm}", skin = "{3 mm}" }
+beam = { kind = "i", between = ["A", "C"], width = "{37 mm}", flange = "{8 mm}", web = "{6 mm}" }
+hull = { kind = "hull", between = ["B", "C"], thickness = "{9 mm}", offset = "{-2 mm}" }
+[solids.link.plates.tab]
+thickness = "{12 mm}"
+outline = [["{107 mm}", "{119 mm}"], { at = ["{150 mm}", "{121 mm}"], radius = "{4 mm}" }, ["{148 mm}", "{170 mm}"], { at = ["{105 mm}", "{168 mm}"], radius = "{7 mm}" }]
+[solids.link.cuts]
+hole = { kind = "hole", at = ["{127 mm}", "{155 mm}"], diameter = "{13 mm}", thickness = "{7 mm}", offset = "{1 mm}" }
+slot = { kind = "slot", from = ["{125 mm}", "{3 mm}"], to = ["{171 mm}", "{-2 mm}"], width = "{9 mm}" }
+notch = { kind = "outline", outline = [["{128 mm}", "{142 mm}"], ["{139 mm}", "{141 mm}"], { at = ["{138 mm}", "{134 mm}"], radius = "{1 mm}" }] }
+
+[bodies.d]
+points = { A = ["{3 mm}", 0, "{-2 mm}"], B = ["{13 mm}", "{1 mm}", "{290 mm}"] }
+solid = "link"
+
+[solids.pin]
+material = "steel"
+revolved = { at = ["{5 mm}", "{6 mm}", "{7 mm}"], axis = ["{0.3}", "{0.4}", "{0.5}"], profile = [[0, "{1 mm}"], ["{8 mm}", "{2 mm}"], ["{9 mm}", "{30 mm}"], [0, "{31 mm}"]] }
+
+[bodies.e]
+solid = "pin"
+
 [subsystems.arm]
 file = "arm.toml"
 ground = "a.p"

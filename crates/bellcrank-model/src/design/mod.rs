@@ -7,6 +7,7 @@ mod joint;
 mod motion;
 mod scope;
 mod sizing;
+mod solid;
 mod study;
 
 use bellcrank_doc::Span;
@@ -24,6 +25,10 @@ pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
 pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
+pub(crate) use solid::{
+    BarForm, CornerForm, CutForm, CutKind, Elastic, EyeForm, FileForm, Height, LinkForm, Material, NamedSpot, Plane,
+    PlateForm, ProfileForm, RevolvedForm, Solid, SolidForm, Spot, WebForm, WebKind, Worn,
+};
 pub(crate) use study::{Hold, Missing, Over, Study, Sweep, Task};
 
 /// A whole machine with all its subsystems.
@@ -36,6 +41,8 @@ pub(crate) struct Design {
     pub(crate) scopes: Vec<Scope>,
     /// Ground first.
     pub(crate) bodies: Vec<Body>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) solids: Vec<Solid>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) forces: Vec<Force>,
     pub(crate) inputs: Vec<Input>,
@@ -58,6 +65,8 @@ pub(crate) struct Body {
     pub(crate) mass: Option<Quantity>,
     pub(crate) center: Option<Vec<Quantity>>,
     pub(crate) inertia: Option<Vec<Quantity>>,
+    /// What mass, centre and inertia come from in place of numbers.
+    pub(crate) solid: Option<Worn>,
     pub(crate) points: Vec<Point>,
     /// It is of a planar file.
     pub(crate) planar: bool,

@@ -1,10 +1,10 @@
 //! `[ground]` and `[bodies]`.
 
-use bellcrank_doc::{Diagnostic, Span, Value};
+use bellcrank_doc::{Diagnostic, Span, Spanned, Value};
 
 use super::points::{self, Owner};
 use super::{Machine, PartReader, grounds};
-use crate::design::{Body, Quantity};
+use crate::design::{Body, Quantity, Worn};
 use crate::keyed::Keyed;
 use crate::names::{self, Index};
 use crate::schema::BODY;
@@ -36,7 +36,7 @@ pub(crate) fn entries<'a>(part: &PartReader<'a>, key: &str) -> Vec<&'a bellcrank
 }
 
 fn massless(name: String, span: Span) -> Body {
-    Body { name, span, mass: None, center: None, inertia: None, points: Vec::new(), planar: false }
+    Body { name, span, mass: None, center: None, inertia: None, solid: None, points: Vec::new(), planar: false }
 }
 
 fn add(machine: &mut Machine, body: Body) -> usize {
@@ -62,6 +62,7 @@ fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span,
         body.mass = keyed.quantity("mass").map(|mass| part.quantity(mass));
         body.center = keyed.vector("center").map(|center| part.quantities(center));
         body.inertia = inertia(part, &keyed);
+        body.solid = solid(part, machine, &keyed);
         check_later(part, &keyed);
         if key != "ground" {
             check_inertia(&keyed, &body);
@@ -112,16 +113,32 @@ fn check_inertia(keyed: &Keyed<'_>, body: &Body) {
     keyed.report(report.hint("about the centre of mass; a point mass has `inertia = 0` (in space `[0, 0, 0]`)"));
 }
 
-fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
-    if let Some(value) = keyed.value("solid") {
-        let message = if keyed.has("mass") {
-            format!("{} takes its mass from numbers or from a solid, not both", keyed.what())
-        } else {
-            format!("{} takes its mass from a solid, which is not in this version", keyed.what())
-        };
-        let hint = "give `mass`, `center` and `inertia` as numbers";
-        part.reader.report(Diagnostic::error("not-in-this-version", value.span, message).hint(hint));
+/// The solid of a body; its points are found when all bodies are there.
+fn solid(part: PartReader<'_>, machine: &Machine, keyed: &Keyed<'_>) -> Option<Worn> {
+    let name = keyed.text("solid")?;
+    check_numbers(keyed, name);
+    match machine.solid_names.find(name.value, part.prefix(), "solid", name.span) {
+        Ok(solid) => Some(Worn { solid, span: name.span, points: Vec::new() }),
+        Err(report) => {
+            part.reader.report(*report);
+            None
+        }
     }
+}
+
+/// Mass properties come from a solid or from numbers.
+fn check_numbers(keyed: &Keyed<'_>, name: Spanned<&str>) {
+    let given: Vec<&'static str> = ["mass", "center", "inertia"].into_iter().filter(|key| keyed.has(key)).collect();
+    let Some(first) = given.first().and_then(|key| keyed.value(key)) else { return };
+    let names: Vec<String> = given.iter().map(|key| format!("`{key}`")).collect();
+    let message = format!("{} has its mass properties from a solid and from {}", keyed.what(), names.join(", "));
+    let report = Diagnostic::error("conflicting-keys", first.span, message).also(name.span, "the solid");
+    keyed.report(
+        report.hint("leave out one or the other; what the solid leaves out can be a body of its own, welded on"),
+    );
+}
+
+fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
     if let Some(value) = keyed.value("flexible") {
         let message = format!("{} counts as rigid: flexible bodies are not in this version", keyed.what());
         part.reader.report(Diagnostic::warning("not-in-this-version", value.span, message));

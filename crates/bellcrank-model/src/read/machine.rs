@@ -3,8 +3,8 @@
 use bellcrank_doc::{Diagnostic, Diagnostics, Reader, Span};
 use bellcrank_multibody::{Coordinate, JointId};
 
-use super::{Files, PartReader, Tables, bodies, forces, joints, motions, planes, studies, units};
-use crate::design::{Body, Design, Joint, PointRef, Quantity, Study, coordinates};
+use super::{Files, PartReader, Tables, bodies, forces, joints, materials, motions, planes, solids, studies, units};
+use crate::design::{Body, Design, Joint, Material, PointRef, Quantity, Solid, Study, coordinates};
 use crate::keyed::Keyed;
 use crate::measure::{DisplayUnits, Motion};
 use crate::names::Index;
@@ -16,9 +16,13 @@ use crate::written::sections;
 pub(crate) struct Machine {
     /// Ground first.
     pub(crate) bodies: Vec<Body>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) solids: Vec<Solid>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) body_names: Index,
     pub(crate) joint_names: Index,
+    pub(crate) material_names: Index,
+    pub(crate) solid_names: Index,
     /// Points by the name of their body: that of a subsystem's ground leads to the body that carries it.
     pub(crate) point_names: Vec<Index>,
     /// Where the points of a body of this name are: body, and what stands before their names there.
@@ -183,6 +187,8 @@ pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Di
         gravity: head.gravity,
         gravity_span: head.gravity_span,
         bodies: machine.bodies,
+        materials: machine.materials,
+        solids: machine.solids,
         joints: machine.joints,
         forces: forces.forces,
         inputs: forces.inputs,
@@ -228,7 +234,10 @@ fn read_parts<'a>(
         check_part(*part);
     }
     let mut machine = Machine::default();
+    materials::read(&all, &mut machine);
+    solids::read(&all, &mut machine);
     bodies::read(&all, &mut machine);
+    solids::fit(&all, &mut machine);
     joints::read(&all, &mut machine);
     planes::hold(&all, &mut machine);
     let forces = forces::read(&all, &machine);
@@ -260,7 +269,6 @@ fn read_head(part: PartReader<'_>) -> Option<Head> {
     let gravity = if space.is_some() { keyed.vector("gravity") } else { keyed.value("gravity").and(None) };
     let gravity_span = part.part.table.get("gravity").map_or(keyed.span(), |entry| entry.value.span);
     let units = keyed.table("units").map(units::read);
-    check_later(&keyed);
     keyed.finish();
     Some(Head {
         title,
@@ -291,16 +299,6 @@ fn check_version(keyed: &Keyed<'_>) {
     if !matches!(value.kind, bellcrank_doc::ValueKind::Integer(1)) {
         let message = "this version reads format version 1 only";
         keyed.report(Diagnostic::error("wrong-version", value.span, message).hint("write `bellcrank = 1`"));
-    }
-}
-
-/// Materials and solids are recognized, so that files for later versions say what is missing here.
-fn check_later(keyed: &Keyed<'_>) {
-    for name in ["materials", "solids"] {
-        if let Some(value) = keyed.value(name) {
-            let message = format!("`{name}` are not read in this version");
-            keyed.report(Diagnostic::warning("not-in-this-version", value.span, message));
-        }
     }
 }
 

@@ -15,7 +15,7 @@ pub(crate) const ASKING: &[&str] = &["sensitivity", "optimize", "sweep", "tolera
 pub(crate) const WITH_ROWS: &[&str] = &["kinematics", "inverse-dynamics", "statics", "dynamics"];
 
 const fn plain(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Schema {
-    Schema { name, doc, keys, kinds: &[] }
+    Schema { name, doc, keys, kinds: &[], usual: None }
 }
 
 pub(super) const OF: Key = Key::optional(

@@ -91,6 +91,7 @@ pub(crate) static JOINT: Schema = Schema {
             ],
         ),
     ],
+    usual: None,
 };
 
 const AXES: Key = Key::optional("axes", OneOf(&["world", "body"]), "axes of the components; world unless given");
@@ -199,4 +200,5 @@ pub(crate) static FORCE: Schema = Schema {
             ],
         ),
     ],
+    usual: None,
 };

@@ -72,7 +72,13 @@ fn object(schema: &'static Schema) -> Value {
 
 fn variant(schema: &'static Schema, kind: &'static Kind) -> Value {
     let keys = schema.keys.iter().chain(kind.keys);
-    table(kind.doc, keys, Some(kind.name), !OPEN.contains(&kind.name))
+    let mut found = table(kind.doc, keys, Some(kind.name), !OPEN.contains(&kind.name));
+    if schema.usual == Some(kind.name)
+        && let Some(required) = found.get_mut("required").and_then(Value::as_array_mut)
+    {
+        required.retain(|key| key != "kind");
+    }
+    found
 }
 
 fn table(doc: &str, keys: impl Iterator<Item = &'static Key>, kind: Option<&str>, closed: bool) -> Value {
@@ -155,8 +161,18 @@ fn shape(of: Shape) -> Value {
         Shape::Parameters => reference("parameters"),
         Shape::Map => reference("map"),
         Shape::NamesOrMap => json!({ "anyOf": [reference("names"), { "type": "object" }] }),
+        Shape::Spot => spot(),
+        Shape::Pairs(dimension) => json!({ "type": "array", "items": list(dimension, &[2]) }),
+        Shape::Outline(corner) => {
+            json!({ "type": "array", "items": { "anyOf": [{ "type": "string" }, reference("vector"), object(corner)] } })
+        }
         Shape::Later => json!({}),
     }
+}
+
+/// A point by name, or coordinates.
+fn spot() -> Value {
+    json!({ "anyOf": [{ "type": "string" }, reference("vector")] })
 }
 
 fn response() -> Value {

@@ -102,6 +102,12 @@ pub(crate) enum Shape {
     Map,
     /// Names, or a table of named values.
     NamesOrMap,
+    /// A point of the body by name, or coordinates.
+    Spot,
+    /// A list of pairs of values of one dimension.
+    Pairs(Dimension),
+    /// A list of corners: places, or tables of what is said of each.
+    Outline(&'static Schema),
     /// Anything; read in another version.
     Later,
 }
@@ -155,6 +161,8 @@ pub(crate) struct Schema {
     pub(crate) keys: &'static [Key],
     /// Kinds, when it has a key `kind`.
     pub(crate) kinds: &'static [Kind],
+    /// The kind without that key, where it may be left out.
+    pub(crate) usual: Option<&'static str>,
 }
 
 impl Schema {

@@ -5,6 +5,7 @@ mod joints_and_forces;
 mod json;
 mod keys;
 mod sizing;
+mod solids;
 mod studies;
 mod tables;
 
@@ -13,5 +14,6 @@ pub(crate) use joints_and_forces::{FORCE, JOINT};
 pub use json::schema;
 pub(crate) use keys::{AXES, Along, DIRECTIONS, Key, Schema, Shape};
 pub(crate) use sizing::{ELECTRIC_KEYS, PNEUMATIC_KEYS};
+pub(crate) use solids::{CORNER, CUT, EYE, MATERIAL, PLATE, SOLID, WEB};
 pub(crate) use studies::{AVAILABLE, OPEN, STUDY};
 pub(crate) use tables::{BODY, GROUND, MODEL, MOTION, PLACE, SEGMENT, SUBSYSTEM};

@@ -107,4 +107,5 @@ pub(crate) static VALVE: Schema = Schema {
         Key::optional("subsonic_index", Value(D::NONE), "m of the data sheet; 0.5 unless given"),
     ],
     kinds: &[],
+    usual: None,
 };

@@ -97,4 +97,5 @@ pub(crate) static STUDY: Schema = Schema {
         kind("workspace", "where a point can go", &[OF]),
         kind("stress", "stresses of flexible bodies", &[OF]),
     ],
+    usual: None,
 };

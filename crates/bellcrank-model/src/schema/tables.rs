@@ -8,10 +8,11 @@ use super::keys::Shape::{
     Version, Whole,
 };
 use super::keys::{Along, Key, Schema, Shape};
+use super::solids::{MATERIAL, SOLID};
 use super::studies::STUDY;
 
 const fn plain(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Schema {
-    Schema { name, doc, keys, kinds: &[] }
+    Schema { name, doc, keys, kinds: &[], usual: None }
 }
 
 pub(crate) static MODEL: Schema = plain(
@@ -32,7 +33,7 @@ pub(crate) static MODEL: Schema = plain(
         Key::optional("studies", Named(&STUDY), "what to find out"),
         Key::optional("subsystems", Named(&SUBSYSTEM), "other model files as parts of this machine"),
         Key::optional("materials", Named(&MATERIAL), "materials of solids"),
-        Key::optional("solids", Named(&SOLID), "parametric solids"),
+        Key::optional("solids", Named(&SOLID), "parts as solids, which mass properties come from"),
     ],
 );
 
@@ -163,17 +164,3 @@ pub(crate) static SUBSYSTEM: Schema = plain(
         Key::optional("set", Map, "its parameters, in terms of this file's"),
     ],
 );
-
-pub(crate) static MATERIAL: Schema = plain(
-    "material",
-    "A material.",
-    &[
-        Key::optional("density", Value(D::DENSITY), "density"),
-        Key::optional("young", Value(D::PRESSURE), "Young's modulus"),
-        Key::optional("poisson", Value(D::NONE), "Poisson's ratio"),
-        Key::optional("yield", Value(D::PRESSURE), "yield strength"),
-    ],
-);
-
-/// Solids are read in another version; their keys are not judged here.
-pub(crate) static SOLID: Schema = plain("solid", "A parametric solid; not read in this version.", &[]);

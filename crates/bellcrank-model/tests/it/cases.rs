@@ -12,6 +12,7 @@ fn shipped_references_are_met() {
         "verify/cases/loads",
         "models/assist-manipulator",
         "models/assist-manipulator/machine.expected.toml",
+        "models/assist-manipulator/lift-solids.expected.toml",
         "verify/cases/slider-crank-tolerance",
         "verify/cases/four-bar-tolerance",
     ] {

@@ -14,6 +14,7 @@ mod programme;
 mod random;
 mod residuals;
 mod sizing;
+mod solids;
 mod studies;
 mod subsystems;
 mod suite;
