@@ -40,6 +40,19 @@ pub(crate) enum Format {
     Parquet,
     /// All signals as CSV; always written.
     Csv,
+    /// Solids of bodies as STEP, and assembled at the first row.
+    Step,
+    /// Solids of bodies as STL.
+    Stl,
+}
+
+/// Formats of solids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SolidFormat {
+    /// Exact surfaces, for CAD programs.
+    Step,
+    /// Triangles, for printers and viewers.
+    Stl,
 }
 
 /// The commands.
@@ -49,6 +62,8 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Check a model file; show bodies, joints, degrees of freedom, loops, redundant equations.
     Check(CheckArgs),
+    /// Write the solids of a model as STEP and STL; show their masses.
+    Solids(SolidsArgs),
     /// Print the JSON Schema of the model file, for editors.
     Schema,
     /// Write a commented model file to start from.
@@ -74,7 +89,8 @@ pub(crate) struct RunArgs {
     /// Where to write; `results/<model name>` unless given.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
-    /// What else to write for each study, comma between: `gltf` is motion.glb, `parquet` series.parquet.
+    /// What else to write, comma between: for each study `gltf` is motion.glb, `parquet` series.parquet, `step`
+    /// assembly.step at its first row; `step` and `stl` also write each solid into `solids`.
     #[arg(long, value_name = "FORMATS", value_enum, value_delimiter = ',')]
     pub(crate) export: Vec<Format>,
     /// Write the model with the values that its `optimize` study found into a new file.
@@ -106,6 +122,25 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "NAME=VALUE")]
     pub(crate) set: Vec<String>,
     /// Print the findings as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Arguments of `solids`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SolidsArgs {
+    /// The model file.
+    pub(crate) model: PathBuf,
+    /// Another value for a parameter, as `l31=700mm` (again for more).
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Where to write; `results/<model name>/solids` unless given.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// What to write, comma between; both unless given.
+    #[arg(long, value_name = "FORMATS", value_enum, value_delimiter = ',')]
+    pub(crate) format: Vec<SolidFormat>,
+    /// Print the masses as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use bellcrank_model::PartFormat;
 use bellcrank_report::Exports;
 
-use crate::args::{CheckArgs, Format, NewArgs, RunArgs};
+use crate::args::{CheckArgs, Format, NewArgs, RunArgs, SolidFormat, SolidsArgs};
 use crate::exit::Refusal;
 
 /// A parameter's name and its other value, as written.
@@ -31,6 +32,8 @@ pub(crate) struct RunConfig {
     /// `None` is the default, which depends on the model's name.
     pub(crate) out: Option<PathBuf>,
     pub(crate) exports: Exports,
+    /// Files of solids.
+    pub(crate) parts: PartFormat,
     pub(crate) write: Option<Write>,
     pub(crate) printed: Printed,
     /// 0 is one a core.
@@ -61,6 +64,7 @@ impl RunConfig {
             settings,
             out: args.out.clone(),
             exports: exports(&args.export),
+            parts: PartFormat { step: args.export.contains(&Format::Step), stl: args.export.contains(&Format::Stl) },
             write: args.write.clone().map(|file| Write { file, force: args.force }),
             printed,
             threads: args.threads.map_or(0, usize::from),
@@ -81,6 +85,31 @@ impl CheckConfig {
     /// Checks the arguments of `check`.
     pub(crate) fn new(args: &CheckArgs) -> Result<Self, Refusal> {
         Ok(Self { model: args.model.clone(), settings: settings(&args.set)?, json: args.json })
+    }
+}
+
+/// What `solids` shall do.
+#[derive(Debug)]
+pub(crate) struct SolidsConfig {
+    pub(crate) model: PathBuf,
+    pub(crate) settings: Vec<Setting>,
+    /// `None` is the default, which depends on the model's name.
+    pub(crate) out: Option<PathBuf>,
+    pub(crate) formats: PartFormat,
+    pub(crate) json: bool,
+}
+
+impl SolidsConfig {
+    /// Checks the arguments of `solids`.
+    pub(crate) fn new(args: &SolidsArgs) -> Result<Self, Refusal> {
+        let wanted = |format| args.format.is_empty() || args.format.contains(&format);
+        Ok(Self {
+            model: args.model.clone(),
+            settings: settings(&args.set)?,
+            out: args.out.clone(),
+            formats: PartFormat { step: wanted(SolidFormat::Step), stl: wanted(SolidFormat::Stl) },
+            json: args.json,
+        })
     }
 }
 

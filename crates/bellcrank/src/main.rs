@@ -49,6 +49,9 @@ fn run(args: &Args) -> Exit {
         Command::Check(check) => {
             config::CheckConfig::new(check).and_then(|config| commands::check::run(&config, &console))
         }
+        Command::Solids(solids) => {
+            config::SolidsConfig::new(solids).and_then(|config| commands::solids::run(&config, &console))
+        }
         Command::Schema => commands::schema::run(&console),
         Command::New(new) => config::NewConfig::new(new).and_then(|config| commands::new::run(&config, &console)),
         Command::Completions { shell } => commands::completions::run(*shell, &console),

@@ -4,6 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use bellcrank_model::PartFile;
 use bellcrank_report::{Exports, write_run};
 use bellcrank_results::RunResult;
 
@@ -37,6 +38,20 @@ impl Staging {
             self.move_out(file).map_err(|error| unwritable(&self.out, &error))?;
         }
         Ok(written.len())
+    }
+
+    /// Writes files that are already made, whole or not at all.
+    pub(crate) fn put(&self, files: &[PartFile]) -> Result<usize, Refusal> {
+        let put = |file: &PartFile| {
+            let path = self.room.join(&file.path);
+            if let Some(folder) = path.parent() {
+                fs::create_dir_all(folder)?;
+            }
+            fs::write(&path, &file.bytes)?;
+            self.move_out(&path)
+        };
+        files.iter().try_for_each(put).map_err(|error| unwritable(&self.out, &error))?;
+        Ok(files.len())
     }
 
     fn move_out(&self, file: &Path) -> io::Result<()> {

@@ -5,3 +5,4 @@ pub(crate) mod completions;
 pub(crate) mod new;
 pub(crate) mod run;
 pub(crate) mod schema;
+pub(crate) mod solids;

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use bellcrank_model::{Model, RunError, RunOptions};
-use bellcrank_report::terminal_summary;
+use bellcrank_model::{Model, PartFile, PartFormat, RunError, RunOptions};
+use bellcrank_report::{study_folders, terminal_summary};
 use bellcrank_results::{RunResult, run_summary};
 
 use crate::config::{Printed, RunConfig};
@@ -26,7 +26,8 @@ pub(crate) fn run(config: &RunConfig, console: &Console) -> Result<Exit, Refusal
     let watch = Watch::new(interrupt.clone(), config.printed, *console);
     let mut result = compute(&model, config, &out, watch)?;
     let written = improvement.map_or(Ok(()), |improvement| improvement.write(&model, &mut result));
-    let files = staging.publish(&result, config.exports)?;
+    let files =
+        staging.publish(&result, config.exports)? + staging.put(&part_files(&model, &result, config, console))?;
     tell(&result, &out, files, config.printed, console)?;
     let exit = exit(&result, &interrupt);
     // A search that failed or was stopped has an exit code of its own.
@@ -59,6 +60,27 @@ fn compute(model: &Model, config: &RunConfig, out: &Path, mut watch: Watch) -> R
     let result = model.run_all(&config.studies, &options, &mut watch);
     watch.finish();
     result.map_err(refusal)
+}
+
+/// The solids at the model's own parameters, and for each study their assembly at its first row.
+fn part_files(model: &Model, result: &RunResult, config: &RunConfig, console: &Console) -> Vec<PartFile> {
+    if config.parts == PartFormat::default() {
+        return Vec::new();
+    }
+    let solids = Path::new("solids");
+    let parts = model.part_files(config.parts).into_iter();
+    let mut files: Vec<PartFile> = parts.map(|file| PartFile { path: solids.join(&file.path), ..file }).collect();
+    if files.is_empty() {
+        console.say("warning: no body has a solid, so there is none to export\n");
+    }
+    if config.parts.step {
+        let assemblies = result.studies.iter().zip(study_folders(result)).filter_map(|(study, folder)| {
+            let bytes = model.assembly_of(study)?;
+            Some(PartFile { path: Path::new(&folder).join("assembly.step"), bytes })
+        });
+        files.extend(assemblies);
+    }
+    files
 }
 
 fn tell(result: &RunResult, out: &Path, files: usize, printed: Printed, console: &Console) -> Result<(), Refusal> {

@@ -9,5 +9,6 @@ mod other;
 mod run;
 mod sandbox;
 mod snapshot;
+mod solids;
 mod sweep;
 mod wrong;

@@ -13,6 +13,7 @@ fn help() {
         ("help-run", &["run", "--help"]),
         ("help-check", &["check", "--help"]),
         ("help-new", &["new", "--help"]),
+        ("help-solids", &["solids", "--help"]),
     ] {
         snapshot::check(name, &sandbox, arguments);
     }
