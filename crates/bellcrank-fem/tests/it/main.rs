@@ -1,5 +1,6 @@
 //! Tests of linear elasticity against closed forms, published cases and identities.
 
+mod calculix;
 mod convergence;
 mod grids;
 mod patch;

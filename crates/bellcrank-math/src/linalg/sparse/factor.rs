@@ -148,7 +148,7 @@ impl<'a> Work<'a> {
                 Err(new) => failure = Some(first_of(failure, new)),
             }
         }
-        let mut worker = Worker::new(self.plan, self.matrix);
+        let mut worker = Worker::new(self.plan, self.matrix, 0);
         for (s, block) in &mut tops {
             if failure.is_some_and(|(at, _)| at < *s) {
                 break;
@@ -208,7 +208,7 @@ impl<'a> Work<'a> {
 
     /// Factors a subtree and returns what its root passes on.
     fn subtree(&self, subtree: Subtree, blocks: &mut [f64]) -> Result<Vec<f64>, (usize, Failure)> {
-        let mut worker = Worker::new(self.plan, self.matrix);
+        let mut worker = Worker::new(self.plan, self.matrix, self.plan.waiting(subtree.first..subtree.end).0);
         let mut rest = blocks;
         for s in subtree.first..subtree.end {
             let (block, after) = rest.split_at_mut(self.plan.blocks[s + 1] - self.plan.blocks[s]);
@@ -229,8 +229,9 @@ impl<'a> Work<'a> {
         self.go_on()?;
         let places = self.plan.firsts[s]..self.plan.firsts[s + 1];
         worker.assemble(s, block, saved);
-        let (_, rows) = self.plan.shape(s);
-        eliminate(block, rows, &self.least[places.clone()], &mut worker.update, crew)
+        let (columns, rows) = self.plan.shape(s);
+        let below = rows - columns;
+        eliminate(block, rows, &self.least[places.clone()], &mut worker.update[..below * below], crew)
             .map_err(|small| self.not_positive(places.start + small.column, small))?;
         worker.pass_on(s);
         self.report(s);

@@ -1,5 +1,7 @@
 //! What a factorization does, found from the pattern alone.
 
+use std::ops::Range;
+
 use super::quotient::{Lists, Quotient};
 use super::supernodes::{self, Supernodes, triangle};
 use super::tree::{self, NONE};
@@ -63,6 +65,11 @@ impl Plan {
         self.size
     }
 
+    /// Row of the matrix at each place of the elimination.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
     /// Number of supernodes.
     pub fn supernodes(&self) -> usize {
         self.parent.len()
@@ -87,7 +94,7 @@ impl Plan {
 
     /// Bytes in use at the peak of a factorization by one thread: factor, update matrices and plan.
     pub fn memory(&self) -> usize {
-        8 * (self.factor_entries() + self.stack_entries()) + self.own_memory()
+        8 * (self.factor_entries() + self.waiting(0..self.supernodes()).1) + self.own_memory()
     }
 
     /// Bytes of the plan itself.
@@ -102,20 +109,19 @@ impl Plan {
         (columns, columns + self.below.get(s).len())
     }
 
-    /// Most entries of update matrices in existence at a time: those waiting, and the one being made.
-    fn stack_entries(&self) -> usize {
-        let mut held = vec![0_usize; self.supernodes() + 1];
-        let (mut now, mut most) = (0_usize, 0_usize);
-        for s in 0..self.supernodes() {
+    /// For a whole subtree: most entries of update matrices that wait at a time, and most with the square under work.
+    pub(super) fn waiting(&self, subtree: Range<usize>) -> (usize, usize) {
+        let (mut now, mut waiting, mut most, mut square) = (0_usize, 0, 0, 0);
+        for s in subtree {
             let size = self.below.get(s).len();
-            most = most.max(now + size * size);
+            square = square.max(size * size);
+            most = most.max(now + square);
+            let children = self.children.get(s).iter();
+            now -= children.map(|&c| triangle(self.below.get(c as usize).len())).sum::<usize>();
             now += triangle(size);
-            now -= std::mem::take(&mut held[s]);
-            most = most.max(now);
-            let parent = self.parent[s];
-            held[if parent == NONE { self.supernodes() } else { parent as usize }] += triangle(size);
+            waiting = waiting.max(now);
         }
-        most
+        (waiting, most.max(waiting + square))
     }
 }
 

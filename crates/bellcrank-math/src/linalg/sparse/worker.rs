@@ -10,17 +10,33 @@ pub(super) struct Worker<'a> {
     /// Row of the block under construction, by place.
     position: Vec<u32>,
     /// Rows of a child in its parent's block.
-    relative: Vec<u32>,
-    /// The update under construction: a square by columns, its lower triangle used.
+    runs: Vec<Run>,
+    /// The update under construction: a square by columns at the beginning, its lower triangle used.
     pub(super) update: Vec<f64>,
     /// Updates that wait for their parents: lower triangles by columns, one after another.
     pub(super) stack: Vec<f64>,
 }
 
+/// Rows that follow each other in a child and in its parent's block.
+#[derive(Clone, Copy)]
+struct Run {
+    /// First row in the parent's block.
+    parent: usize,
+    length: usize,
+}
+
+/// Adds the first numbers of a list to a column from a row on; returns the rest of the list.
+fn add<'b>(column: &mut [f64], row: usize, list: &'b [f64], length: usize) -> &'b [f64] {
+    let (now, rest) = list.split_at(length);
+    column[row..row + length].iter_mut().zip(now).for_each(|(target, value)| *target += value);
+    rest
+}
+
 impl<'a> Worker<'a> {
-    pub(super) fn new(plan: &'a Plan, matrix: &'a SymmetricMatrix) -> Self {
+    /// A worker with room for `stack` numbers of updates that wait.
+    pub(super) fn new(plan: &'a Plan, matrix: &'a SymmetricMatrix, stack: usize) -> Self {
         let position = vec![0; plan.size];
-        Self { plan, matrix, position, relative: Vec::new(), update: Vec::new(), stack: Vec::new() }
+        Self { plan, matrix, position, runs: Vec::new(), update: Vec::new(), stack: Vec::with_capacity(stack) }
     }
 
     /// Sums the entries of the matrix and the updates of the children into a block of zeros and into `update`. The children
@@ -29,8 +45,7 @@ impl<'a> Worker<'a> {
         let (columns, rows) = self.plan.shape(s);
         self.locate(s);
         self.enter_matrix(s, rows, block);
-        self.update.clear();
-        self.update.resize((rows - columns) * (rows - columns), 0.0);
+        self.clear_update(rows - columns);
         for &child in self.plan.children.get(s).iter().rev() {
             let child = child as usize;
             match saved.get_mut(child).map(std::mem::take).filter(|update| !update.is_empty()) {
@@ -44,6 +59,16 @@ impl<'a> Worker<'a> {
         let own = self.plan.firsts[s] as u32..self.plan.firsts[s + 1] as u32;
         for (row, place) in own.chain(self.plan.below.get(s).iter().copied()).enumerate() {
             self.position[place as usize] = row as u32;
+        }
+    }
+
+    /// Zeros in the lower triangle of the update. The memory only grows: what is new is zero as it comes.
+    fn clear_update(&mut self, size: usize) {
+        let old = self.update.len().min(size * size);
+        self.update.resize(self.update.len().max(size * size), 0.0);
+        for (j, column) in self.update[..old].chunks_mut(size.max(1)).enumerate() {
+            let from = j.min(column.len());
+            column[from..].fill(0.0);
         }
     }
 
@@ -67,21 +92,33 @@ impl<'a> Worker<'a> {
 
     /// Adds a child's lower triangle where its rows are in the block and the update.
     fn extend_add(&mut self, child: usize, mut triangle: &[f64], columns: usize, rows: usize, block: &mut [f64]) {
-        let places = self.plan.below.get(child);
-        self.relative.clear();
-        self.relative.extend(places.iter().map(|&place| self.position[place as usize]));
+        self.find_runs(child);
         let below = rows - columns;
-        for (j, &column) in self.relative.iter().enumerate() {
-            let (values, rest) = triangle.split_at(places.len() - j);
-            triangle = rest;
-            let column = column as usize;
-            let (target, shift) = if column < columns {
-                (&mut block[column * rows..(column + 1) * rows], 0)
-            } else {
-                (&mut self.update[(column - columns) * below..(column - columns + 1) * below], columns)
-            };
-            for (value, &row) in values.iter().zip(&self.relative[j..]) {
-                target[row as usize - shift] += value;
+        for (k, run) in self.runs.iter().enumerate() {
+            for j in 0..run.length {
+                let column = run.parent + j;
+                let (target, shift) = if column < columns {
+                    (&mut block[column * rows..(column + 1) * rows], 0)
+                } else {
+                    (&mut self.update[(column - columns) * below..(column - columns + 1) * below], columns)
+                };
+                // Of this run the rows from the diagonal down, then all of those after it.
+                triangle = add(target, column - shift, triangle, run.length - j);
+                for later in &self.runs[k + 1..] {
+                    triangle = add(target, later.parent - shift, triangle, later.length);
+                }
+            }
+        }
+    }
+
+    /// Rows of a child that stand together in its parent's block.
+    fn find_runs(&mut self, child: usize) {
+        self.runs.clear();
+        for &place in self.plan.below.get(child) {
+            let parent = self.position[place as usize] as usize;
+            match self.runs.last_mut() {
+                Some(run) if run.parent + run.length == parent => run.length += 1,
+                _ => self.runs.push(Run { parent, length: 1 }),
             }
         }
     }
