@@ -17,6 +17,10 @@ fn main() -> Result<(), ReportError> {
     let mut run = sample::stress::run();
     let fine = sample::stress::strip(400, 60, 4);
     run.studies.push(StudyResult { name: "fine".to_owned(), contours: vec![fine], ..StudyResult::default() });
+    // Drawings of both kinds in one page.
+    let mut machine = sample::stewart::run();
+    machine.studies[0].contours = vec![sample::stress::bar()];
+    write_report(&machine, &Path::new(&dir).join("machine"))?;
     for study in &run.studies {
         let start = ProcessTime::now();
         let drawn = pictures(study);

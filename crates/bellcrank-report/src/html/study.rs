@@ -38,7 +38,7 @@ pub(crate) fn push_section(
     page.push_str(&unmet(study));
     page.push_str(&model::changed(&study.changed, &run.parameters));
     page.push_str(&kinds::findings(study, place.index, figures));
-    page.push_str(&contours::section(drawn.pictures, place.index));
+    page.push_str(&contours::section(study, drawn.pictures, place.index));
     page.push_str(&glance::glance(study));
     page.push_str(&programme::section(study, place.index, figures));
     page.push_str(&mounts(run, study, place.index));

@@ -29,15 +29,27 @@ const RAINBOW: [u32; 33] = [
     0xdf_3f_08, 0xd0_2f_05, 0xbe_21_02, 0xa9_16_01, 0x92_0b_01, 0x7a_04_03,
 ];
 
+/// Bytes of a contour, before they are packed, that a page takes: some 1.5 million triangles of one shape, or
+/// 200,000 in seventy modes.
+const MOST_BYTES: usize = 64 << 20;
+
+/// Whether the page holds the numbers of a contour; else the still picture is all.
+pub(super) fn is_light(contour: &Contour) -> bool {
+    let of_shape = |shape: &ContourShape| 6 + 2 * shape.fields.len().max(1);
+    let of_node = 13 + contour.shapes.iter().map(of_shape).sum::<usize>();
+    12 * contour.triangles.len() + 8 * contour.edges.len() + of_node * contour.nodes.len() < MOST_BYTES
+}
+
 /// Appends the numbers behind every picture.
 pub(crate) fn push(page: &mut String, run: &RunResult, pictures: &[Vec<Option<PictureFile>>]) {
     let mut described = Vec::new();
     let mut blocks = String::new();
-    for (study, pictures) in pictures.iter().enumerate() {
-        for (index, _) in pictures.iter().enumerate().filter(|(_, picture)| picture.is_some()) {
+    for (study, (of, pictures)) in run.studies.iter().zip(pictures).enumerate() {
+        let drawn = of.contours.iter().zip(pictures).enumerate();
+        for (index, (contour, _)) in drawn.filter(|(_, (contour, picture))| picture.is_some() && is_light(contour)) {
             let mut numbers = Integers::default();
-            let key = format!("{study}-{index}");
-            described.push(contour(&run.studies[study].contours[index], &key, &mut numbers));
+            let key = super::key(study, index);
+            described.push(part(contour, &key, &mut numbers));
             let text = encoded(&numbers.packed());
             blocks.push_str(&format!("<script type=\"text/plain\" id=\"bellcrank-contour-{key}\">"));
             blocks.push_str(&String::from_utf8_lossy(&text));
@@ -52,7 +64,7 @@ pub(crate) fn push(page: &mut String, run: &RunResult, pictures: &[Vec<Option<Pi
     page.push_str(&blocks);
 }
 
-fn contour(contour: &Contour, key: &str, numbers: &mut Integers) -> Value {
+fn part(contour: &Contour, key: &str, numbers: &mut Integers) -> Value {
     let sharp = outline(contour);
     let (low, high) = bounds(contour.nodes.iter().copied()).unwrap_or_default();
     push_places(contour, low, high, numbers);
@@ -143,4 +155,20 @@ fn field(contour: &Contour, field: &ContourField, numbers: &mut Integers) -> Opt
         "cut": scale.is_cut(),
         "marks": scale.marks,
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_too_much_for_a_page_stays_a_picture() {
+        let of = |triangles: usize| Contour { triangles: vec![[0, 1, 2]; triangles], ..Contour::default() };
+        assert!(is_light(&of(100_000)) && !is_light(&of(6_000_000)));
+    }
+
+    #[test]
+    fn edges_are_kept_once() {
+        assert_eq!(distinct(&[[4, 1], [0, 2], [1, 4], [2, 0]]), [[0, 2], [1, 4]]);
+    }
 }

@@ -1,5 +1,6 @@
 // What stands over and beside the part: colour bar, labels, axes of the body.
 
+import { make } from "../dom";
 import { unitShown, shown } from "../format";
 import type { V2 } from "../scene/camera";
 import { AXES, INK, PAPER, Pen } from "../scene/pen";
@@ -100,32 +101,71 @@ interface Box {
   height: number;
 }
 
-/** Labels with a line to their places, clear of each other and away from the middle. */
-export function drawLabels(pen: Pen, labels: Label[], room: V2): void {
-  const boxes: Box[] = [];
-  pen.c.font = "12px system-ui, sans-serif";
-  for (const label of labels) boxes.push(best(label, pen.c.measureText(label.text).width + 12, boxes, room));
-  labels.forEach((label, k) => leader(pen, label, boxes[k]));
-  labels.forEach((label, k) => plate(pen, label, boxes[k]));
+/** Where the part is on the canvas, roughly. */
+export class Cover {
+  private static readonly SIZE: V2 = [80, 50];
+  private readonly context = make("canvas", { width: Cover.SIZE[0], height: Cover.SIZE[1] }).getContext("2d", { willReadFrequently: true });
+  private shares: Uint8ClampedArray | null = null;
+  private room: V2 = [1, 1];
+
+  /** Takes a picture of the part alone, which fills `room`. */
+  take(picture: HTMLCanvasElement, room: V2): void {
+    const [width, height] = Cover.SIZE;
+    this.room = room;
+    this.context?.clearRect(0, 0, width, height);
+    this.context?.drawImage(picture, 0, 0, width, height);
+    this.shares = this.context?.getImageData(0, 0, width, height).data ?? null;
+  }
+
+  /** How much of a box lies on the part. */
+  share({ x, y, width, height }: Box): number {
+    let sum = 0;
+    for (let k = 0; k < 15; k++) sum += this.at(x + ((k % 5) / 4) * width, y + (Math.floor(k / 5) / 2) * height);
+    return sum / 15;
+  }
+
+  private at(x: number, y: number): number {
+    const [column, row] = [Math.floor((x / this.room[0]) * Cover.SIZE[0]), Math.floor((y / this.room[1]) * Cover.SIZE[1])];
+    const inside = column >= 0 && row >= 0 && column < Cover.SIZE[0] && row < Cover.SIZE[1];
+    return inside && this.shares ? this.shares[4 * (row * Cover.SIZE[0] + column) + 3] / 255 : 0;
+  }
 }
 
-function best(label: Label, width: number, taken: Box[], room: V2): Box {
+/** Labels with a line to their places, clear of each other and away from the middle. `before`: which of the places
+ * around it each label took last time, as they should not jump about; gives those of now. */
+export function drawLabels(pen: Pen, labels: Label[], cover: Cover, room: V2, before: number[]): number[] {
+  const boxes: Box[] = [];
+  const taken: number[] = [];
+  pen.c.font = "12px system-ui, sans-serif";
+  const dotsUnder = (box: Box) => labels.filter(({ at: [x, y] }) => apart(box, { x, y, width: 0, height: 0 }) < 6).length;
+  labels.forEach((label, k) => {
+    const around = candidates(label.at, pen.c.measureText(label.text).width + 12);
+    const costs = around.map((box, place) => cost(box, label.at, boxes, room) + 220 * cover.share(box) + 150 * dotsUnder(box) - (place === before[k] ? 60 : 0));
+    taken.push(costs.indexOf(Math.min(...costs)));
+    boxes.push(around[taken[k]]);
+  });
+  labels.forEach((label, k) => leader(pen, label, boxes[k]));
+  labels.forEach((label, k) => plate(pen, label, boxes[k]));
+  return taken;
+}
+
+function cost(box: Box, at: V2, taken: Box[], room: V2): number {
+  const beyond = [-box.x, box.x + box.width - room[0], -box.y, box.y + box.height - room[1]];
+  const outside = beyond.reduce((sum, length) => sum + Math.max(0, length), 0);
+  const over = taken.filter((other) => apart(box, other) < 3).length;
+  const from = ([x, y]: V2) => Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y);
+  return 3 * outside + 400 * over + 0.8 * from(at) - 0.3 * from([room[0] / 2, room[1] / 2]);
+}
+
+/** Boxes around a place, in twelve directions at several distances. */
+function candidates(at: V2, width: number): Box[] {
   const height = 21;
-  const cost = (box: Box) => {
-    const outside = Math.max(0, -box.x) + Math.max(0, box.x + box.width - room[0]) + Math.max(0, -box.y) + Math.max(0, box.y + height - room[1]);
-    const over = taken.filter((other) => apart(box, other) < 3).length;
-    const away = Math.hypot(box.x + width / 2 - room[0] / 2, box.y + height / 2 - room[1] / 2);
-    const far = Math.hypot(box.x + width / 2 - label.at[0], box.y + height / 2 - label.at[1]);
-    return outside + 400 * over + far - 0.8 * away;
-  };
-  const around = [26, 55, 95, 145].flatMap((distance) =>
+  return [24, 50, 85, 125, 175].flatMap((distance) =>
     Array.from({ length: 12 }, (_, k): Box => {
       const [s, c] = [Math.sin((k * Math.PI) / 6), Math.cos((k * Math.PI) / 6)];
-      const middle = [label.at[0] + c * (distance + width / 2), label.at[1] + s * (distance + height / 2)];
-      return { x: middle[0] - width / 2, y: middle[1] - height / 2, width, height };
+      return { x: at[0] + c * (distance + width / 2) - width / 2, y: at[1] + s * (distance + height / 2) - height / 2, width, height };
     }),
   );
-  return around.reduce((least, box) => (cost(box) < cost(least) ? box : least));
 }
 
 /** Room between two boxes, negative where they overlap, px. */

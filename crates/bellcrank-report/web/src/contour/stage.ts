@@ -145,7 +145,7 @@ export class PartStage {
   }
 
   private play(on: boolean): void {
-    this.playing = on;
+    this.playing = this.viewer.playing = on;
     this.button.textContent = on ? "❚❚" : "▶";
     this.button.setAttribute("aria-label", on ? "Hold still" : "Let it move");
     if (on) this.start = performance.now();

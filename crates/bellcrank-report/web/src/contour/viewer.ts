@@ -6,7 +6,7 @@ import { Pen } from "../scene/pen";
 import type { Kit } from "../solid/loading";
 import type { Side } from "../view";
 import type { Catalogue, Field, Part, Shape } from "./data";
-import { BAR, drawAxes, drawBar, drawLabels, type Label } from "./overlay";
+import { BAR, Cover, drawAxes, drawBar, drawLabels, type Label } from "./overlay";
 import { atNode, type Hit, nodeOf, placeOf, projected, Seen, valueAt } from "./probe";
 import { type Style, Surface } from "./surface";
 
@@ -25,6 +25,7 @@ export class Viewer {
   readonly choice: Choice;
   /** Where a swing stands: 1 is all of the deformation. */
   phase = 1;
+  playing = false;
   /** Whether graphics are computed without a graphics card. */
   readonly slow: boolean;
   private readonly surface: Surface;
@@ -32,7 +33,12 @@ export class Viewer {
   private readonly studio;
   private readonly pins: Hit[] = [];
   private hidden: boolean[] = [];
+  /** Which of the places around it each label took. */
+  private places: number[] = [];
+  private readonly cover = new Cover();
   private settling = 0;
+  /** Whether it is being turned; without a graphics card it is drawn coarser meanwhile. */
+  private busy = false;
   private seen: Seen | null = null;
   private size: V2 = [1, 1];
 
@@ -95,10 +101,12 @@ export class Viewer {
   }
 
   drag(dx: number, dy: number, move: boolean): void {
+    this.busy = this.slow;
     this.orbit.drag(dx, dy, move);
   }
 
   zoomBy(factor: number, at?: V2): void {
+    this.busy = this.slow;
     this.orbit.zoomBy(factor, at ?? [this.room[0] / 2, this.room[1] / 2]);
   }
 
@@ -117,7 +125,10 @@ export class Viewer {
     const pen = new Pen(context);
     if (this.field) drawBar(pen, this.field, this.choice, this.catalogue.colours, this.size);
     drawAxes(pen, this.part.axes[0].map((_, k) => this.direction(k)), [46, this.size[1] - 46]);
-    drawLabels(pen, this.labels(), this.room);
+    const labels = this.labels();
+    // A moving part keeps its labels where they are.
+    if (labels.length > 0 && !this.playing) this.cover.take(this.studio.renderer.domElement, this.room);
+    this.places = drawLabels(pen, labels, this.cover, this.room, this.places);
     this.settle();
   }
 
@@ -130,7 +141,8 @@ export class Viewer {
   private paint(context: CanvasRenderingContext2D): void {
     const { renderer } = this.studio;
     const [width, height] = this.room;
-    const ratio = context.canvas.width / this.size[0];
+    const coarse = this.busy || (this.slow && this.playing);
+    const ratio = (context.canvas.width / this.size[0]) * (coarse ? 0.5 : 1);
     const wanted: V2 = [Math.round(width * ratio), Math.round(height * ratio)];
     const canvas = renderer.domElement;
     if (canvas.width !== wanted[0] || canvas.height !== wanted[1]) renderer.setSize(...wanted, false);
@@ -173,19 +185,23 @@ export class Viewer {
     return [0, 1].map((axis) => corners.reduce((sum, corner, k) => sum + hit.shares[k] * corner[axis], 0)) as V2;
   }
 
-  /** Which marks lie behind the part is found once the picture stands still. */
+  /** Once the picture stands still: which marks lie behind the part, and all of its fineness. */
   private settle(): void {
     window.clearTimeout(this.settling);
-    if (this.part.marks.length === 0 || !this.choice.labels) return;
+    if (this.playing) return;
     this.settling = window.setTimeout(() => {
       const before = this.hidden.join();
-      this.hidden = this.part.marks.map(({ node }) => {
-        const [x, y, depth] = this.all().node(node);
-        const front = this.all().hit([x, y]);
-        return front !== null && front.depth < depth - 2e-4;
-      });
-      if (this.hidden.join() !== before) this.redraw();
+      if (this.choice.labels) this.hidden = this.part.marks.map(({ node }) => this.isHidden(node));
+      const due = this.busy || this.hidden.join() !== before;
+      this.busy = false;
+      if (due) this.redraw();
     }, 150);
+  }
+
+  private isHidden(node: number): boolean {
+    const [x, y, depth] = this.all().node(node);
+    const front = this.all().hit([x, y]);
+    return front !== null && front.depth < depth - 2e-4;
   }
 
   /** What is under the pointer. */
