@@ -32,27 +32,54 @@ pub(crate) fn add_fillets<T: Real>(
 ) -> Vec<Fault> {
     let filling = Filling { pieces: &recipe.pieces, levels: &layout.levels, joined_only: true };
     let mut faults = Vec::new();
-    let mut found = Vec::new();
+    let mut found: Vec<Found<T>> = Vec::new();
     for interval in 0..layout.levels.count() {
         let layer = Layer::new(layout, &filling, interval);
         let (fillets, wrong) = layer.fillets(radius, tolerance);
-        faults.extend(wrong);
-        found.extend(fillets.into_iter().map(|outline| (interval, outline)));
+        wrong.into_iter().for_each(|fault| told_once(&mut faults, fault));
+        for (corner, outline) in fillets {
+            match found.iter_mut().find(|f| f.levels[1] == interval && f.corner == corner) {
+                Some(below) => below.levels[1] = interval + 1,
+                None => found.push(Found { corner, outline, levels: [interval, interval + 1] }),
+            }
+        }
     }
-    for (interval, outline) in found {
-        let ends = [interval, interval + 1].map(|level| Some(layout.levels.heights[level]));
-        let outline = recipe.outline(outline);
+    for fillet in found {
+        let ends = fillet.levels.map(|level| Some(layout.levels.heights[level]));
+        let outline = recipe.outline(fillet.outline);
         recipe.piece(Kind::Joined(Part::Fillet), outline, vec![ends]);
     }
     faults
+}
+
+/// A fillet of one or several layers.
+struct Found<T> {
+    corner: Corner,
+    outline: Outline<T>,
+    levels: [usize; 2],
+}
+
+/// Adds a fault; that of the same corner one layer below is extended instead.
+fn told_once(faults: &mut Vec<Fault>, fault: Fault) {
+    let Fault::FilletTooLarge { at, layer, .. } = &fault else { return faults.push(fault) };
+    for known in faults.iter_mut() {
+        if let Fault::FilletTooLarge { at: place, layer: [_, top], .. } = known
+            && place == at
+            && *top == layer[0]
+        {
+            *top = layer[1];
+            return;
+        }
+    }
+    faults.push(fault);
 }
 
 /// Boundary of what is joined in one interval.
 struct Layer<'a, T> {
     layout: &'a Layout<T>,
     interval: [f64; 2],
-    /// For each strand that bounds, a segment it is a piece of, run as the strand.
-    whole: BTreeMap<usize, Segment<T>>,
+    /// For each strand that bounds, the segment it is a piece of, and whether it runs as the strand.
+    owners: BTreeMap<usize, (usize, bool)>,
     /// Bounding half-strands that leave each vertex, counter-clockwise.
     fans: Vec<Vec<Half>>,
     full: Vec<bool>,
@@ -65,11 +92,25 @@ struct Run {
     length: f64,
 }
 
-/// A corner between two curves, with nothing between them; half-strands leave it.
+/// A corner between two curves with nothing between them, or two such corners and what is between them.
+#[derive(Clone, Debug, PartialEq)]
 struct Corner {
-    vertex: usize,
-    /// The one that the empty sector begins at, counter-clockwise, and the one it ends at.
+    /// Where the two curves begin: the same vertex, or both ends of what is left out.
+    vertices: [usize; 2],
+    /// Half-strands that leave them: the empty sector lies left of the first and right of the second.
     halves: [Half; 2],
+    /// What is left out, from the first vertex to the second.
+    between: Vec<Half>,
+    /// Segments that the two half-strands are pieces of.
+    owners: [usize; 2],
+}
+
+/// How much of a run its two corners need.
+struct Use {
+    length: f64,
+    needed: f64,
+    /// The corner it begins at with the empty side on its right, and the one with it on its left.
+    corners: [Option<usize>; 2],
 }
 
 impl<'a, T: Real> Layer<'a, T> {
@@ -81,39 +122,73 @@ impl<'a, T: Real> Layer<'a, T> {
             l != r
         };
         let strands = (0..layout.arcs.len()).filter(bounds);
-        let whole: BTreeMap<_, _> = strands.map(|s| (s, layout.source(filling.owner(layout, s, interval)))).collect();
+        let owners: BTreeMap<_, _> = strands.map(|s| (s, filling.owner(layout, s, interval))).collect();
         let mut fans = fans(&layout.plane.vertices, &layout.arcs);
-        fans.iter_mut().for_each(|fan| fan.retain(|(strand, _)| whole.contains_key(strand)));
+        fans.iter_mut().for_each(|fan| fan.retain(|(strand, _)| owners.contains_key(strand)));
         let interval = [interval, interval + 1].map(|level| layout.levels.heights[level].value());
-        Layer { layout, interval, whole, fans, full }
+        Layer { layout, interval, owners, fans, full }
     }
 
     /// Outlines that round the re-entrant corners, and corners where that does not fit.
-    fn fillets(&self, radius: T, tolerance: f64) -> (Vec<Outline<T>>, Vec<Fault>) {
-        let mut uses: BTreeMap<[usize; 2], (f64, f64, usize)> = BTreeMap::new();
-        let (mut outlines, mut faults) = (Vec::new(), Vec::new());
-        let fault = |vertex: usize, needed: f64, length: f64| Fault::FilletTooLarge {
-            at: self.layout.plane.vertices[vertex],
-            layer: self.interval,
-            radius: radius.value(),
-            needed,
-            length,
-        };
-        for corner in self.corners() {
-            let runs = corner.halves.map(|half| self.run(half, tolerance));
-            let Some(fillet) = self.fillet(&corner, radius, tolerance) else {
-                faults.push(fault(corner.vertex, f64::INFINITY, runs[0].length.min(runs[1].length)));
+    ///
+    /// Where two corners need more than there is between them, what is between is left out: the fillet touches the
+    /// curves beyond, as a ball would that rolls along the boundary.
+    fn fillets(&self, radius: T, tolerance: f64) -> (Vec<(Corner, Outline<T>)>, Vec<Fault>) {
+        let mut corners = self.corners();
+        loop {
+            let fillets: Vec<Option<Fillet<T>>> = corners.iter().map(|c| self.fillet(c, radius, tolerance)).collect();
+            let uses = self.uses(&corners, &fillets, tolerance);
+            let mut short: Vec<&Use> = uses.values().filter(|u| u.needed > u.length + tolerance).collect();
+            short.sort_by(|a, b| a.length.total_cmp(&b.length));
+            let pair = short.iter().find_map(|u| match u.corners {
+                [Some(x), Some(y)] if x != y => Some([x, y]),
+                _ => None,
+            });
+            if let Some([x, y]) = pair {
+                let merged = self.merged(&corners[x], &corners[y], tolerance);
+                corners[x] = merged;
+                corners.remove(y);
                 continue;
-            };
-            for (run, needed) in runs.iter().zip(fillet.needed) {
-                let used = uses.entry(run.key).or_insert((0.0, run.length, corner.vertex));
-                used.0 += needed;
             }
-            outlines.push(fillet.outline);
+            let faults = short.iter().filter_map(|u| {
+                let corner = u.corners.iter().flatten().next()?;
+                let at = self.layout.plane.vertices[corners[*corner].vertices[0]];
+                let (radius, needed, length) = (radius.value(), u.needed, u.length);
+                Some(Fault::FilletTooLarge { at, layer: self.interval, radius, needed, length })
+            });
+            let faults = faults.collect();
+            let fit = corners.into_iter().zip(fillets).filter_map(|(c, f)| f.map(|f| (c, f.outline)));
+            return (fit.collect(), faults);
         }
-        let short = uses.values().filter(|(needed, length, _)| *needed > length + tolerance);
-        faults.extend(short.map(|(needed, length, vertex)| fault(*vertex, *needed, *length)));
-        (outlines, faults)
+    }
+
+    /// What all corners need of the runs between them; everything where no fillet is possible.
+    fn uses(&self, corners: &[Corner], fillets: &[Option<Fillet<T>>], tolerance: f64) -> BTreeMap<[usize; 2], Use> {
+        let mut uses: BTreeMap<[usize; 2], Use> = BTreeMap::new();
+        for (i, (corner, fillet)) in corners.iter().zip(fillets).enumerate() {
+            let needed = fillet.as_ref().map_or([f64::INFINITY; 2], |f| f.needed);
+            for side in [0, 1] {
+                let run = self.run(corner.halves[side], tolerance);
+                let used = Use { length: run.length, needed: 0.0, corners: [None; 2] };
+                let used = uses.entry(run.key).or_insert(used);
+                used.needed += needed[side];
+                used.corners[1 - side] = Some(i);
+            }
+        }
+        uses
+    }
+
+    /// Two corners as one; the second follows the first along its second half-strand.
+    fn merged(&self, first: &Corner, second: &Corner, tolerance: f64) -> Corner {
+        let mut between = first.between.clone();
+        between.extend(self.walk(first.halves[1], tolerance));
+        between.extend(&second.between);
+        Corner {
+            vertices: [first.vertices[0], second.vertices[1]],
+            halves: [first.halves[0], second.halves[1]],
+            between,
+            owners: [first.owners[0], second.owners[1]],
+        }
     }
 
     /// Corners with more than half a turn of material.
@@ -124,7 +199,9 @@ impl<'a, T: Real> Layer<'a, T> {
                 let beside = self.layout.faces.sides[a.0][usize::from(!a.1)];
                 let empty = !self.full[beside.unwrap_or(self.full.len() - 1)];
                 if empty && self.opening(*a, *b) < PI - FLAT {
-                    corners.push(Corner { vertex, halves: [*a, *b] });
+                    let owners = [a, b].map(|half| self.owners.get(&half.0).map_or(0, |owner| owner.0));
+                    let (vertices, halves) = ([vertex; 2], [*a, *b]);
+                    corners.push(Corner { vertices, halves, between: Vec::new(), owners });
                 }
             }
         }
@@ -160,25 +237,38 @@ impl<'a, T: Real> Layer<'a, T> {
 
     /// The segment of a half-strand, run away from its vertex.
     fn outward(&self, (strand, forward): Half) -> Option<Segment<T>> {
-        let whole = self.whole.get(&strand)?;
-        Some(if forward { whole.clone() } else { whole.reversed() })
+        let whole = self.layout.source(*self.owners.get(&strand)?);
+        Some(if forward { whole } else { whole.reversed() })
     }
 
-    fn run(&self, start: Half, tolerance: f64) -> Run {
-        let (mut half, mut length) = (start, 0.0);
+    /// Half-strands from one on, as far as they follow one curve.
+    fn walk(&self, start: Half, tolerance: f64) -> Vec<Half> {
+        let mut walk = vec![start];
+        let mut half = start;
         while let Some(whole) = self.outward(half).map(|s| s.values()) {
-            let [a, b] = self.ends(half);
-            let ends = [a, b].map(|v| self.layout.plane.vertices[v]);
-            length += Segment { ends, curve: whole.curve.clone() }.length();
-            let [x, y] = self.fans[b][..] else { break };
+            let [x, y] = self.fans[self.ends(half)[1]][..] else { break };
             let onward = if x == (half.0, !half.1) { y } else { x };
             let same = self.outward(onward).is_some_and(|s| same(&whole, &s.values(), tolerance));
             if !same || onward.0 == start.0 {
                 break;
             }
             half = onward;
+            walk.push(half);
         }
-        Run { key: [start.0.min(half.0), start.0.max(half.0)], length }
+        walk
+    }
+
+    fn run(&self, start: Half, tolerance: f64) -> Run {
+        let walk = self.walk(start, tolerance);
+        let last = walk.last().map_or(start.0, |half| half.0);
+        let length = walk.iter().map(|half| self.piece_of(*half).length()).sum();
+        Run { key: [start.0.min(last), start.0.max(last)], length }
+    }
+
+    /// A half-strand as a segment.
+    fn piece_of(&self, half: Half) -> Segment<f64> {
+        let ends = self.ends(half).map(|v| self.layout.plane.vertices[v]);
+        Segment { ends, curve: self.outward(half).map_or(Curve::Line, |s| s.curve.values()) }
     }
 
     fn ends(&self, (strand, forward): Half) -> [usize; 2] {
@@ -188,26 +278,31 @@ impl<'a, T: Real> Layer<'a, T> {
 
     /// The arc that touches both curves at a corner, and what is between; `None` where there is none.
     fn fillet(&self, corner: &Corner, radius: T, tolerance: f64) -> Option<Fillet<T>> {
-        let at = self.layout.plane.vertices[corner.vertex];
+        let at = corner.vertices.map(|v| self.layout.plane.vertices[v]);
         let [a, b] = [self.outward(corner.halves[0])?, self.outward(corner.halves[1])?];
         // Run away from the corner, the empty sector is left of the first curve and right of the second.
         let plain = [a.values(), b.values()];
         let r = radius.value();
         let centers = meetings(&plain[0], r, &plain[1], -r, tolerance);
         let needed = |center: &Point<f64>| {
-            let lengths = [0, 1].map(|i| ahead(&plain[i], at, plain[i].foot(*center), tolerance));
+            let lengths = [0, 1].map(|i| ahead(&plain[i], at[i], plain[i].foot(*center), tolerance));
             Some([lengths[0]?, lengths[1]?])
         };
         let fits = centers.into_iter().filter_map(|c| needed(&c).map(|n| (c, n)));
         let (near, needed) = fits.min_by(|x, y| (x.1[0] + x.1[1]).total_cmp(&(y.1[0] + y.1[1])))?;
         let center = meet([&a, &b], [radius, -radius], near);
-        let tip = meet([&a, &b], [T::zero(); 2], at);
+        let [first, last] = corner.vertices.map(|v| self.layout.vertex(v));
+        let tips = [a.foot(first), b.foot(last)];
         let feet = [a.foot(center), b.foot(center)];
         let round = sweep(values(center), values(feet[1]), values(feet[0]), true);
         let round = if round > PI { round - TAU } else { round };
-        let mut outline = piece(&a, tip, feet[0]);
+        let mut outline = piece(&a, tips[0], feet[0]);
         outline.extend(arcs(center, radius, feet[0], feet[1], -round));
-        outline.extend(piece(&b, tip, feet[1]).iter().rev().map(Segment::reversed));
+        outline.extend(piece(&b, tips[1], feet[1]).iter().rev().map(Segment::reversed));
+        for half in corner.between.iter().rev() {
+            let [from, to] = self.ends(*half).map(|v| self.layout.vertex(v));
+            outline.extend(piece(&self.outward(*half)?, from, to).iter().rev().map(Segment::reversed));
+        }
         Some(Fillet { outline, needed })
     }
 }
