@@ -25,26 +25,30 @@ const SMOOTH: f64 = 0.02;
 
 impl Shell {
     /// Triangles that are nowhere further from the faces than the tolerance, in m. Where chords of that length would
-    /// cross another edge, the surface is finer.
+    /// cross another edge, the surface is finer. Faces between edges that rounding cannot tell apart are left out.
     pub fn surface(&self, chord_tolerance: f64) -> Surface {
         let size = self.vertices.iter().flatten().fold(0.0, |a: f64, x| a.max(x.abs()));
         let mut tolerance = if chord_tolerance > 1e-7 * size { chord_tolerance } else { 1e-7 * size };
-        for _ in 0..8 {
-            if let Some(surface) = self.try_surface(tolerance) {
+        for _ in 0..5 {
+            if let Some(surface) = self.try_surface(tolerance, true) {
                 return surface;
             }
             tolerance /= 4.0;
         }
-        Surface::default()
+        self.try_surface(tolerance, false).unwrap_or_default()
     }
 
-    fn try_surface(&self, tolerance: f64) -> Option<Surface> {
+    fn try_surface(&self, tolerance: f64, strict: bool) -> Option<Surface> {
         let mut surface = Surface { nodes: self.vertices.clone(), ..Surface::default() };
         let chains: Vec<Vec<u32>> = self.edges.iter().map(|edge| self.chain(edge, tolerance, &mut surface)).collect();
         for face in &self.faces {
             let loops: Vec<Vec<u32>> = face.loops.iter().map(|walk| nodes_along(walk, &chains)).collect();
-            let triangles = triangulate(&face.form, &loops, &self.rulings(face, &chains), &surface.nodes)?;
-            surface.triangles.extend(triangles);
+            let rulings = self.rulings(face, &chains);
+            match triangulate(&face.form, &loops, &rulings, &surface.nodes) {
+                Some(triangles) => surface.triangles.extend(triangles),
+                None if strict => return None,
+                None => {}
+            }
         }
         let folds = self.folds();
         let showing = chains.iter().zip(folds).filter(|(_, fold)| fold.abs() > SMOOTH);
