@@ -459,10 +459,10 @@ fn fillets_between_eyes_and_a_bar() {
     };
     let mut known = narrow(0.4, [0.05, 0.05], 0.025, Z);
     // The fillet's centre is its radius from the bar and from the eye.
-    let (r, f, half) = (0.05, 0.02, 0.025);
-    let x = ((r + f) * (r + f) - (half + f) * (half + f) as f64).sqrt();
-    let lean = ((half + f) / (r + f) as f64).asin();
-    let corner = (half / r as f64).asin();
+    let (r, f, half) = (0.05_f64, 0.02_f64, 0.025_f64);
+    let x = ((r + f) * (r + f) - (half + f) * (half + f)).sqrt();
+    let lean = ((half + f) / (r + f)).asin();
+    let corner = (half / r).asin();
     for (along, side, direction) in [(0.0, 1.0, 0.7), (0.4, -1.0, 0.7 + PI)] {
         for up in [1.0, -1.0] {
             // Between the eye's centre, the foot on the bar's axis, and the fillet's centre.
