@@ -261,3 +261,28 @@ fn products_do_not_depend_on_how_many_there_are() {
         assert!(alone.iter().zip(y).all(|(a, b)| (a - b).abs() < 1e-14 * (1.0 + a.abs())));
     }
 }
+
+/// A part that nothing holds beside one that is held: the row is one of the loose part's, whatever rounding leaves of its pivot.
+#[test]
+fn a_loose_part_is_found_in_spite_of_rounding() {
+    let mut numbers = Numbers(97);
+    for half in [5, 60, 900] {
+        let mut list = vec![(0, 0, 1.3e7)];
+        for i in 0..2 * half {
+            // Each with its neighbours and some further on, in the same half.
+            for step in [1, 2, 7] {
+                let j = i + step;
+                if j < 2 * half && i / half == j / half {
+                    let k = 1e9 * (1.1 + numbers.next());
+                    list.extend([(i, i, k), (j, j, k), (i, j, -k)]);
+                }
+            }
+        }
+        let matrix = matrix(2 * half, &list);
+        for threads in [1, 2] {
+            let result = Cholesky::factor(Arc::new(Plan::new(&matrix)), &matrix, threads, &go_on);
+            let Err(Failure::NotPositive(found)) = result else { panic!("a loose part of {half} was factored") };
+            assert!(found.row >= half && found.pivot.abs() < 1e-13 * found.diagonal, "{found:?}");
+        }
+    }
+}
