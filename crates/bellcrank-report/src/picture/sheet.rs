@@ -57,9 +57,9 @@ pub(crate) fn drawn(contour: &Contour) -> Canvas {
     }
     triad(&mut canvas, &axes);
     if let Some(scale) = &scale {
-        let room =
-            Rect { x: WIDTH - BAR, y: HEAD + 10.0, width: BAR - 10.0, height: canvas.height as f32 - HEAD - 40.0 };
-        bar::draw(&mut canvas, scale, Rect { height: room.height.min(620.0), ..room }, &notes(scale));
+        // The axes stand below.
+        let height = (canvas.height as f32 - HEAD - 90.0).min(600.0);
+        bar::draw(&mut canvas, scale, Rect { x: WIDTH - BAR, y: HEAD, width: BAR - 10.0, height }, &notes(scale));
     }
     canvas
 }
@@ -109,8 +109,11 @@ struct Grid {
 impl Grid {
     fn of(count: usize, flatness: f32) -> Self {
         let across = (1..).find(|n| n * n >= count).unwrap_or(1);
-        let flat = if count == 1 { 0.68 } else { (flatness + 0.2).clamp(0.5, 0.8) };
-        Self { across, down: count.div_ceil(across), flat }
+        let down = count.div_ceil(across);
+        // As high as the colour bar needs.
+        let least = 0.42 * across as f32 / down as f32;
+        let flat = if count == 1 { 0.68 } else { (flatness + 0.2).clamp(least, least.max(0.8)) };
+        Self { across, down, flat }
     }
 
     fn size(&self) -> (f32, f32) {

@@ -139,7 +139,7 @@ export function drawLabels(pen: Pen, labels: Label[], cover: Cover, room: V2, be
   pen.c.font = "12px system-ui, sans-serif";
   const dotsUnder = (box: Box) => labels.filter(({ at: [x, y] }) => apart(box, { x, y, width: 0, height: 0 }) < 6).length;
   labels.forEach((label, k) => {
-    const around = candidates(label.at, pen.c.measureText(label.text).width + 12);
+    const around = candidates(label.at, pen.c.measureText(label.text).width + 12, room);
     const costs = around.map((box, place) => cost(box, label.at, boxes, room) + 220 * cover.share(box) + 150 * dotsUnder(box) - (place === before[k] ? 60 : 0));
     taken.push(costs.indexOf(Math.min(...costs)));
     boxes.push(around[taken[k]]);
@@ -150,20 +150,19 @@ export function drawLabels(pen: Pen, labels: Label[], cover: Cover, room: V2, be
 }
 
 function cost(box: Box, at: V2, taken: Box[], room: V2): number {
-  const beyond = [-box.x, box.x + box.width - room[0], -box.y, box.y + box.height - room[1]];
-  const outside = beyond.reduce((sum, length) => sum + Math.max(0, length), 0);
   const over = taken.filter((other) => apart(box, other) < 3).length;
   const from = ([x, y]: V2) => Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y);
-  return 3 * outside + 400 * over + 0.8 * from(at) - 0.3 * from([room[0] / 2, room[1] / 2]);
+  return 400 * over + 0.8 * from(at) - 0.3 * from([room[0] / 2, room[1] / 2]);
 }
 
-/** Boxes around a place, in twelve directions at several distances. */
-function candidates(at: V2, width: number): Box[] {
+/** Boxes around a place, in twelve directions at several distances, none beyond the canvas. */
+function candidates(at: V2, width: number, room: V2): Box[] {
   const height = 21;
   return [24, 50, 85, 125, 175].flatMap((distance) =>
     Array.from({ length: 12 }, (_, k): Box => {
       const [s, c] = [Math.sin((k * Math.PI) / 6), Math.cos((k * Math.PI) / 6)];
-      return { x: at[0] + c * (distance + width / 2) - width / 2, y: at[1] + s * (distance + height / 2) - height / 2, width, height };
+      const [x, y] = [at[0] + c * (distance + width / 2) - width / 2, at[1] + s * (distance + height / 2) - height / 2];
+      return { x: Math.max(0, Math.min(room[0] - width, x)), y: Math.max(0, Math.min(room[1] - height, y)), width, height };
     }),
   );
 }
