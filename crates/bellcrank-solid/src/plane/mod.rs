@@ -5,4 +5,5 @@ pub(crate) mod crossing;
 pub(crate) mod faces;
 pub(crate) mod outline;
 pub(crate) mod segment;
+pub(crate) mod tangent;
 pub(crate) mod vector;
