@@ -63,6 +63,11 @@ impl Block {
 }
 
 impl Mesh {
+    /// Multiplies all places, for example by 0.001 when a file is in mm.
+    pub fn scale(&mut self, factor: f64) {
+        self.nodes.iter_mut().flatten().for_each(|c| *c *= factor);
+    }
+
     /// Number of elements of all blocks.
     pub fn element_count(&self) -> usize {
         self.blocks.iter().map(Block::len).sum()

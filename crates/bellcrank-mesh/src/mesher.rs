@@ -12,7 +12,9 @@ mod heights;
 mod outline;
 mod plan;
 mod plane;
+mod revolve;
 mod sets;
+mod size_map;
 mod sizes;
 mod smoothing;
 mod walls;
@@ -21,6 +23,8 @@ use bellcrank_solid::Stack;
 
 use crate::{Mesh, Shape};
 
+pub use revolve::mesh_revolved;
+pub use size_map::SizeMap;
 pub use sizes::{Division, MesherError, Sizes};
 
 /// Meshes a stack.
@@ -41,7 +45,7 @@ pub fn mesh_stack(stack: &Stack<f64>, names: &[&str], shape: Shape, sizes: &Size
     let walls = walls::measure(&plan);
     let coarse = sizes.size.unwrap_or_else(|| walls::default_size(&plan, &walls));
     let field = field::of_plan(&plan, &walls, coarse, sizes);
-    let levels = heights::levels(stack, coarse, sizes);
+    let levels = heights::levels(&plan, coarse, sizes);
     estimate::check_outline(&plan, &field, sizes.most_nodes)?;
     let outline = outline::divide(&plan, &field)?;
     estimate::check(&plan, &outline, &field, &levels, shape, sizes.most_nodes)?;

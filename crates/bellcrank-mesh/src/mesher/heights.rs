@@ -1,8 +1,7 @@
 //! Division of the height into layers.
 
-use bellcrank_solid::Stack;
-
 use super::Sizes;
+use super::plan::Plan;
 
 /// Elements may be this much wider than high where only the background asks for small ones.
 const ASPECT: f64 = 4.0;
@@ -27,9 +26,10 @@ impl Levels {
     }
 }
 
-pub(super) fn levels(stack: &Stack<f64>, coarse: f64, sizes: &Sizes) -> Levels {
+pub(super) fn levels(plan: &Plan, coarse: f64, sizes: &Sizes) -> Levels {
+    let stack = plan.stack;
     let heights: Vec<f64> = stack.levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let size = |interval: usize| wanted(stack, interval, coarse, sizes);
+    let size = |interval: usize| wanted(plan, interval, coarse, sizes);
     let mut counts: Vec<usize> = heights
         .iter()
         .enumerate()
@@ -68,15 +68,23 @@ fn runs(filled: &[bool]) -> Vec<std::ops::Range<usize>> {
     runs
 }
 
-/// Height of a layer that is wanted in an interval.
-fn wanted(stack: &Stack<f64>, interval: usize, coarse: f64, sizes: &Sizes) -> f64 {
+/// Places of an edge where the background is asked for the height of layers.
+const ASKED: usize = 16;
+
+/// Height of a layer that is wanted in an interval, asked along the edges: stresses are highest at the surface.
+fn wanted(plan: &Plan, interval: usize, coarse: f64, sizes: &Sizes) -> f64 {
     let Some(background) = sizes.background else { return coarse };
-    let [low, high] = [stack.levels[interval], stack.levels[interval + 1]];
-    let places = stack.edges.iter().flat_map(|edge| {
-        let used = edge.cells.iter().flatten().any(|&cell| stack.cells[cell].filled[interval]);
-        edge.ends.iter().filter(move |_| used).map(|&end| stack.vertices[end])
-    });
+    let [low, high] = [plan.stack.levels[interval], plan.stack.levels[interval + 1]];
+    let here = |edge: &usize| plan.sides[*edge].iter().any(|&side| plan.patterns[side][interval]);
+    let places = (0..plan.edges.len())
+        .filter(here)
+        .flat_map(|edge| (0..ASKED).map(move |k| plan.at(edge, k as f64 / ASKED as f64)));
     let heights = [low, (low + high) / 2.0, high];
     let all = places.flat_map(|[x, y]| heights.map(|z| background([x, y, z])));
     all.filter(|size| size.is_finite() && *size > 0.0).fold(coarse, |least, size| least.min(ASPECT * size))
+}
+
+/// One layer of one interval: a plane.
+pub(super) fn single() -> Levels {
+    Levels { z: vec![0.0, 1.0], interval: vec![0] }
 }

@@ -32,7 +32,7 @@ impl Division {
 /// Sizes that a mesh is to have; lengths in m.
 #[derive(Clone, Copy)]
 pub struct Sizes<'a> {
-    /// Length of an element's edge far from everything; `None` takes a third of the usual wall.
+    /// Length of an element's edge far from everything; `None` takes two fifths of the usual wall.
     pub size: Option<f64>,
     /// On bores.
     pub at_bores: Division,

@@ -47,8 +47,28 @@ fn behind(plan: &Plan, edge: usize, fraction: f64) -> Option<f64> {
 fn first_hit(plan: &Plan, from: usize, layer: usize, at: [f64; 2], along: [f64; 2]) -> Option<f64> {
     let ends_here = |side: &[usize; 2]| plan.patterns[side[0]][layer] != plan.patterns[side[1]][layer];
     let others = (0..plan.edges.len()).filter(|&other| ends_here(&plan.sides[other]));
-    let hits = others.filter_map(|other| hit(plan, other, at, along, if other == from { 1e-6 } else { 1e-9 }));
+    let hits = others.filter_map(|other| {
+        let way = hit(plan, other, at, along, if other == from { 1e-6 } else { 1e-9 })?;
+        let [a, b] = [from, other].map(|edge| plan.edge(edge).ends);
+        let corner = a.iter().any(|end| b.contains(end)) && !opposite(plan, other, at, along, way);
+        (!corner).then_some(way)
+    });
     hits.reduce(f64::min)
+}
+
+/// Whether an edge lies square enough to the ray that meets it: a wall, and not the other side of a corner.
+fn opposite(plan: &Plan, edge: usize, at: [f64; 2], along: [f64; 2], way: f64) -> bool {
+    let square = match &plan.edge(edge).curve {
+        Curve::Arc { center, radius, .. } => {
+            let from = [at[0] + way * along[0] - center[0], at[1] + way * along[1] - center[1]];
+            (from[0] * along[0] + from[1] * along[1]) / radius
+        }
+        Curve::Line => {
+            let normal = plan.left(edge, 0.0);
+            normal[0] * along[0] + normal[1] * along[1]
+        }
+    };
+    square.abs() > 0.8
 }
 
 /// Distance along a ray to an edge that it meets.
@@ -80,10 +100,10 @@ fn hit(plan: &Plan, edge: usize, at: [f64; 2], along: [f64; 2], skip: f64) -> Op
     }
 }
 
-/// A third of the median wall, within limits that the extent sets.
+/// Two fifths of the median wall, within limits that the extent sets.
 pub(super) fn default_size(plan: &Plan, walls: &[Wall]) -> f64 {
     let mut all: Vec<f64> = walls.iter().map(|wall| wall.thickness).collect();
     all.sort_by(f64::total_cmp);
     let median = all.get(all.len() / 2).copied().unwrap_or(plan.extent);
-    (median / 3.0).clamp(plan.extent / 60.0, plan.extent / 10.0)
+    (0.4 * median).clamp(plan.extent / 50.0, plan.extent / 10.0)
 }

@@ -49,9 +49,9 @@ fn shape_functions_are_one_at_their_node_and_reproduce_linear_fields() {
         }
         let at = [0.21, 0.34, 0.27];
         shape.evaluate(at, &mut n, &mut d);
-        for c in 0..3 {
+        for (c, expected) in at.into_iter().enumerate() {
             let place: f64 = (0..shape.nodes()).map(|k| n[k] * shape.node_coordinates(k)[c]).sum();
-            assert!((place - at[c]).abs() < 1e-14);
+            assert!((place - expected).abs() < 1e-14);
         }
     }
 }
@@ -68,8 +68,8 @@ fn derivatives_agree_with_differences() {
             let moved = |by: f64| std::array::from_fn(|i| at[i] + if i == c { by } else { 0.0 });
             shape.evaluate(moved(h), &mut up, &mut unused);
             shape.evaluate(moved(-h), &mut down, &mut unused);
-            for k in 0..shape.nodes() {
-                assert!(((up[k] - down[k]) / (2.0 * h) - d[k][c]).abs() < 1e-9, "{shape:?} {k} {c}");
+            for (k, exact) in d[..shape.nodes()].iter().enumerate() {
+                assert!(((up[k] - down[k]) / (2.0 * h) - exact[c]).abs() < 1e-9, "{shape:?} {k} {c}");
             }
         }
     }

@@ -18,7 +18,8 @@ pub(super) fn all() -> Vec<Case> {
 
 fn empty(levels: Vec<f64>, filled: &[&[bool]]) -> Stack<f64> {
     let cells = filled.iter().map(|filled| Cell { loops: Vec::new(), filled: filled.to_vec() }).collect();
-    Stack { vertices: Vec::new(), edges: Vec::new(), cells, levels, bores: Vec::new() }
+    let moments = bellcrank_solid::Moments::default();
+    Stack { vertices: Vec::new(), edges: Vec::new(), cells, levels, bores: Vec::new(), moments, warnings: Vec::new() }
 }
 
 /// Lines from corner to corner, the first cell on their left.
