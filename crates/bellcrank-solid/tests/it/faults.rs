@@ -4,6 +4,7 @@ use bellcrank_solid::{Cut, CutShape, Eye, Fault, Link, Part, Plate, Profile, Qua
 
 use crate::parts::{bar, corners, eye, link, plate, through};
 use crate::random::{Dice, random_link};
+use crate::shells::assert_closed;
 
 const Z: [f64; 2] = [-0.01, 0.01];
 
@@ -189,6 +190,7 @@ fn ask(link: &Link<f64>) {
     let Ok(stack) = link.build() else { return };
     let _ = stack.mass_properties(1.0);
     let shell = stack.shell();
+    assert_closed(&shell, "a link in question");
     let _ = (shell.sharp_edges(), bellcrank_solid::step::write("x", "", &[]));
     if stack.edges.len() < 100 {
         let _ = shell.surface(1e-3);

@@ -8,7 +8,7 @@ use crate::parts::{eye, link};
 use crate::random::{Dice, random_link};
 
 /// Each edge once in each direction, loops closed.
-fn assert_closed(shell: &Shell, what: &str) {
+pub(crate) fn assert_closed(shell: &Shell, what: &str) {
     let mut uses = vec![[0; 2]; shell.edges.len()];
     for walk in shell.faces.iter().flat_map(|f| &f.loops) {
         let ends = |(edge, forward): (usize, bool)| {
