@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# One position of the lift, the paper's optimization, and dynamics, beside the programs that an engineer would use today, all in
-# this call.
+# One position of the lift, the paper's optimization, dynamics, and a link in finite elements, beside the programs that an engineer
+# would use today, all in this call.
 #
 #   benches/peers.sh [PEERS] [PART]     PEERS: folder of the peer scripts (default ../shared/peers)
-#                                       PART: positions, dynamics (default: both)
+#                                       PART: positions, dynamics, elasticity (default: the first two; elasticity takes minutes)
 #
 # Figures are process CPU seconds, one thread. A peer that is not installed is named and left out;
 # `PEERS/run.sh setup` installs them. Whole-process figures include interpreter start and imports.
@@ -61,7 +61,26 @@ dynamics() {
   python3 benches/dynamics.py "$out" "$program"
 }
 
+# The bell crank at 172,077 unknowns: NGSolve and CalculiX on one mesh, which the peer's script writes, then bellcrank on it.
+elasticity() {
+  local deck=$out/scratch
+  mkdir -p "$deck"
+  BASELINE_SCRATCH=$deck "$venv/bin/python" "$peers/fe_bench.py" --size 150k --reps 1 --json "$out/fe.json" > /dev/null ||
+    absent "NGSolve and CalculiX" "$venv"
+  [ -f "$deck/fe_150k_static.inp" ] || { absent elasticity "no deck"; return; }
+  for threads in 1 2; do
+    cargo bench -q -p bellcrank-fem --bench peer -- "$deck/fe_150k_static.inp" static "$threads" >> "$out/statics.jsonl"
+    cargo bench -q -p bellcrank-fem --bench peer -- "$deck/fe_150k_modal.inp" modes "$threads" >> "$out/modes.jsonl"
+  done
+  python3 benches/elasticity.py "$out"
+}
+
 echo "building" >&2
+if [ "$part" = elasticity ]; then
+  cargo bench -q -p bellcrank-fem --bench peer --no-run
+  elasticity
+  exit
+fi
 if [ "$part" != dynamics ]; then ours cpu --no-run; fi
 if [ "$part" != positions ]; then ours dynamics_cpu --no-run; fi
 cargo build -q --release -p bellcrank
