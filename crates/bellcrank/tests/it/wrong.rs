@@ -60,7 +60,7 @@ fn command_lines() {
     later.write("asking.toml", format!("{lift}\n{dynamics}{asking}"));
     snapshot::check("wrong-asking-dynamics", &later, &["run", "asking.toml", "how"]);
     snapshot::check("wrong-set-syntax", &sandbox, &["run", "lift.toml", "--set", "l31"]);
-    snapshot::check("wrong-export", &sandbox, &["run", "lift.toml", "--export", "gltf,step"]);
+    snapshot::check("wrong-export", &sandbox, &["run", "lift.toml", "--export", "gltf,iges"]);
     snapshot::check("wrong-set-name", &sandbox, &["run", "lift.toml", "--set", "l33=700mm"]);
     snapshot::check("wrong-set-unit", &sandbox, &["check", "lift.toml", "--set", "l31=700 deg"]);
     snapshot::check("wrong-set-twice", &sandbox, &["run", "lift.toml", "--set", "l31=1 m", "--set", "l31=2 m"]);
