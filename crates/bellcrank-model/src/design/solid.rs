@@ -1,8 +1,10 @@
 //! Materials, and solids as recipes: a body that uses one gives the points that it is laid on.
 
-use std::path::PathBuf;
+use std::fmt;
+use std::sync::Arc;
 
 use bellcrank_doc::{Span, Spanned};
+use bellcrank_mesh::Mesh;
 
 use super::{Components, Direction, Quantity};
 
@@ -202,15 +204,17 @@ pub(crate) struct RevolvedForm {
     pub(crate) profile_span: Span,
 }
 
-/// A mesh, or a part for a mesher, from a file.
-#[derive(Debug)]
+/// A mesh from a file, or one that a mesher made of the part in a file; body axes, m.
 pub(crate) struct FileForm {
-    #[expect(dead_code, reason = "files are not read yet")]
-    pub(crate) path: PathBuf,
-    pub(crate) span: Span,
-    /// Metres in a unit of the file.
-    #[expect(dead_code, reason = "files are not read yet")]
-    pub(crate) scale: f64,
+    pub(crate) mesh: Arc<Mesh>,
+    /// As the model names it.
+    pub(crate) file: String,
+}
+
+impl fmt::Debug for FileForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FileForm").field("file", &self.file).finish_non_exhaustive()
+    }
 }
 
 /// The solid of a body.

@@ -7,8 +7,7 @@ use bellcrank_results::{Paint, Pose, file_stems};
 use bellcrank_solid::step::{self, Placement, StepPart};
 use bellcrank_solid::stl;
 
-use super::{CHORD, extent};
-use crate::build::solid_of;
+use crate::build::{Form, solid_of};
 use crate::design::{Design, Values};
 
 /// Formats of parts.
@@ -37,12 +36,14 @@ pub(super) fn of_parts(design: &Design, values: &Values, time: &str, formats: Pa
     let bodies = bodies(design);
     let stems = file_stems(bodies.iter().map(|&body| design.bodies[body].name.as_str()));
     for (&body, stem) in bodies.iter().zip(stems) {
-        let Some(part) = part(design, values, body, vec![Placement::IDENTITY]) else { continue };
+        let Some(form) = solid_of(design, values, body, &mut Vec::new()) else { continue };
         if formats.stl {
-            let surface = part.shell.surface(CHORD * extent(&part.shell));
-            files.push(PartFile { path: format!("{stem}.stl").into(), bytes: stl::write(&surface, MILLIMETRES) });
+            let bytes = stl::write(&form.triangles(), MILLIMETRES);
+            files.push(PartFile { path: format!("{stem}.stl").into(), bytes });
         }
-        if formats.step {
+        if formats.step
+            && let Some(part) = part(design, &form, body, vec![Placement::IDENTITY])
+        {
             let text = step::write(&part.name.clone(), time, &[part]);
             files.push(PartFile { path: format!("{stem}.step").into(), bytes: text.into_bytes() });
         }
@@ -54,7 +55,8 @@ pub(super) fn of_parts(design: &Design, values: &Values, time: &str, formats: Pa
 pub(super) fn of_assembly(design: &Design, values: &Values, name: &str, time: &str, poses: &[Pose]) -> Option<Vec<u8>> {
     let placed = bodies(design).into_iter().filter_map(|body| {
         let pose = poses.get(body)?;
-        part(design, values, body, vec![placement(pose)])
+        let form = solid_of(design, values, body, &mut Vec::new())?;
+        part(design, &form, body, vec![placement(pose)])
     });
     let parts: Vec<StepPart> = placed.collect();
     (!parts.is_empty()).then(|| step::write(name, time, &parts).into_bytes())
@@ -64,8 +66,9 @@ fn bodies(design: &Design) -> Vec<usize> {
     (0..design.bodies.len()).filter(|&body| design.bodies[body].solid.is_some()).collect()
 }
 
-fn part(design: &Design, values: &Values, body: usize, instances: Vec<Placement>) -> Option<StepPart> {
-    let shell = solid_of(design, values, body, &mut Vec::new())?.shell();
+/// Nothing for a mesh, which has no exact surfaces.
+fn part(design: &Design, form: &Form, body: usize, instances: Vec<Placement>) -> Option<StepPart> {
+    let shell = form.shell()?;
     let of = &design.bodies[body];
     let material = design.solids.get(of.solid.as_ref()?.solid)?.material;
     Some(StepPart {

@@ -4,9 +4,10 @@ mod files;
 mod turned;
 
 use bellcrank_math::quaternion_from_matrix;
+use bellcrank_mesh::Mesh;
 use bellcrank_multibody::BodyId;
 use bellcrank_results::{Failure, Pose, StudyResult, Surface};
-use bellcrank_solid::Shell;
+use bellcrank_solid::{Shell, Surface as Triangles};
 
 use crate::build::{Form, solid_of};
 use crate::check::solid_fact;
@@ -21,20 +22,34 @@ use files::{of_assembly, of_parts};
 const CHORD: f64 = 2e-4;
 
 impl Form {
-    /// The exact boundary in body axes.
-    pub(crate) fn shell(&self) -> Shell {
+    /// The exact boundary in body axes; a mesh has none.
+    pub(crate) fn shell(&self) -> Option<Shell> {
         match self {
-            Form::Stack { stack, plane } => turned::shell(stack.shell(), *plane),
-            // Its profile was checked when it was made.
-            Form::Revolved(revolved) => revolved.shell().unwrap_or_default(),
+            Form::Stack { stack, plane } => Some(turned::shell(stack.shell(), *plane)),
+            Form::Revolved(revolved) => revolved.shell().ok(),
+            Form::Mesh(_) => None,
+        }
+    }
+
+    /// Triangles on the boundary, body axes.
+    pub(crate) fn triangles(&self) -> Triangles {
+        match (self, self.shell()) {
+            (_, Some(shell)) => shell.surface(CHORD * extent(&shell)),
+            (Form::Mesh(mesh), None) => of_mesh(mesh),
+            (_, None) => Triangles::default(),
         }
     }
 }
 
+fn of_mesh(mesh: &Mesh) -> Triangles {
+    let surface = mesh.surface(&mesh.boundary());
+    let nodes = surface.nodes.iter().map(|&node| mesh.nodes[node as usize]).collect();
+    Triangles { nodes, triangles: surface.triangles, edges: Vec::new() }
+}
+
 /// The drawn surface of the solid of a body, body axes.
 pub(crate) fn surface(design: &Design, values: &Values, body: usize) -> Option<Surface> {
-    let shell = solid_of(design, values, body, &mut Vec::new())?.shell();
-    let surface = shell.surface(CHORD * extent(&shell));
+    let surface = solid_of(design, values, body, &mut Vec::new())?.triangles();
     Some(Surface { points: surface.nodes, triangles: surface.triangles })
 }
 

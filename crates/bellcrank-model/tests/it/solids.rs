@@ -231,3 +231,92 @@ variables = { long = { min = "200 mm", max = "350 mm" } }
         other => panic!("{other:?}"),
     }
 }
+
+/// A brick of 20 x 30 x 50 mm, as CalculiX reads it.
+const BRICK: &str = "*NODE
+1, 0, 0, 0
+2, 20, 0, 0
+3, 20, 30, 0
+4, 0, 30, 0
+5, 0, 0, 50
+6, 20, 0, 50
+7, 20, 30, 50
+8, 0, 30, 50
+*ELEMENT, TYPE=C3D8, ELSET=ALL
+1, 1, 2, 3, 4, 5, 6, 7, 8
+";
+
+fn of_file(keys: &str) -> String {
+    format!(
+        r#"
+bellcrank = 1
+space = "spatial"
+gravity = [0, 0, "-9.81 m/s^2"]
+[ground.points]
+O = [0, 0, 0]
+[materials.steel]
+density = "7850 kg/m^3"
+[solids.brick]
+material = "steel"
+{keys}
+[bodies.brick]
+solid = "brick"
+points = {{ O = [0, 0, 0] }}
+[joints]
+j = {{ kind = "spherical", connects = ["ground.O", "brick.O"] }}
+"#
+    )
+}
+
+#[test]
+fn a_mesh_weighs_what_its_elements_do() {
+    let scratch = Scratch::new("solid-mesh");
+    scratch.write("brick.inp", BRICK);
+    let model = model_of(&scratch.write("model.toml", of_file("file = \"brick.inp\"\nunit = \"mm\"")));
+    let found = solid(&model.check(), "brick");
+    let mass = 7850.0 * 0.02 * 0.03 * 0.05;
+    assert!(close(found.mass, mass), "{}", found.mass);
+    assert!(close(found.center[2], 0.025) && close(found.inertia[0][0], mass * (9e-4 + 25e-4) / 12.0), "{found:?}");
+    let drawn = model.drawing().bodies[1].surface.clone().expect("a surface");
+    assert_eq!((drawn.points.len(), drawn.triangles.len()), (8, 12));
+}
+
+#[test]
+fn a_mesh_cut_in_half_is_told_with_its_place() {
+    let scratch = Scratch::new("solid-half");
+    scratch.write("brick.inp", &BRICK[..BRICK.len() - 14]);
+    let loaded =
+        bellcrank_model::load(&scratch.write("model.toml", of_file("file = \"brick.inp\"\nunit = \"mm\"")), &[]);
+    let told = crate::support::rendered(&loaded);
+    assert!(loaded.model.is_none() && told.contains("brick.inp`:") && told.contains("model.toml:11:8"), "{told}");
+}
+
+/// An inverted element and an absent file, too.
+#[test]
+fn meshes_that_are_not_sound_are_refused() {
+    let scratch = Scratch::new("solid-inverted");
+    scratch.write("brick.inp", BRICK.replace("1, 1, 2, 3, 4, 5, 6, 7, 8", "1, 5, 6, 7, 8, 1, 2, 3, 4"));
+    for (file, wanted) in [("brick.inp", "inverted"), ("none.msh", "cannot read"), ("none.step", "no mesh of")] {
+        let unit = if file.ends_with("step") { "" } else { "unit = \"mm\"" };
+        let keys = format!("file = \"{file}\"\n{unit}");
+        let loaded = bellcrank_model::load(&scratch.write("model.toml", of_file(&keys)), &[]);
+        let told = crate::support::rendered(&loaded);
+        assert!(loaded.model.is_none() && told.contains(wanted), "{told}");
+    }
+}
+
+/// A part of another program comes back with the mass that it was written with; only where Gmsh is there.
+#[test]
+fn a_step_file_weighs_what_its_solid_does() {
+    if std::process::Command::new("gmsh").arg("--version").output().is_err() {
+        return;
+    }
+    let scratch = Scratch::new("solid-step");
+    let own = model("solid-own", &spatial("xy", "{ A = [0, 0, 0], B = [\"200 mm\", 0, 0] }"));
+    let files = own.part_files(bellcrank_model::PartFormat { step: true, stl: false });
+    scratch.write("brick.step", &files[0].bytes);
+    let read = solid(&model_of(&scratch.write("model.toml", of_file("file = \"brick.step\""))).check(), "brick");
+    let of = solid(&own.check(), "arm");
+    assert!((read.mass - of.mass).abs() < 1e-4 * of.mass, "{} {}", read.mass, of.mass);
+    assert!((read.inertia[2][2] - of.inertia[2][2]).abs() < 1e-4 * of.inertia[2][2]);
+}

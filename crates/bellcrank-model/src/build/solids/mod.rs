@@ -7,7 +7,10 @@ mod attached;
 mod faults;
 mod link;
 
+use std::sync::Arc;
+
 use bellcrank_doc::Diagnostic;
+use bellcrank_mesh::Mesh;
 use bellcrank_multibody::{Body as BodyNumbers, Place};
 use bellcrank_solid::{Fault, MassProperties, Revolved, Stack};
 
@@ -25,6 +28,8 @@ pub(crate) enum Form<T = f64> {
     Stack { stack: Box<Stack<T>>, plane: Plane },
     /// A body of revolution, in body axes.
     Revolved(Revolved<T>),
+    /// A mesh, in body axes.
+    Mesh(Arc<Mesh>),
 }
 
 /// What a body's solid came to, and the numbers that it was made of.
@@ -139,11 +144,7 @@ fn made<T: Scalar>(
                 Err(faults) => (None, faults),
             })
         }
-        SolidForm::File(file) => {
-            let message = format!("solid `{}` comes from a file, which this version does not read", solid.name);
-            numbers.report("not-in-this-version", file.span, message);
-            None
-        }
+        SolidForm::File(file) => Some((Some(Form::Mesh(Arc::clone(&file.mesh))), Vec::new())),
         SolidForm::Faulty => None,
     }
 }
@@ -168,7 +169,19 @@ impl<T: Scalar> Form<T> {
         match self {
             Form::Stack { stack, plane } => Some(in_body(&stack.mass_properties(T::one()), *plane)),
             Form::Revolved(revolved) => revolved.mass_properties(T::one()).ok(),
+            Form::Mesh(mesh) => Some(of_mesh(mesh)),
         }
+    }
+}
+
+/// A mesh depends on no parameter.
+fn of_mesh<T: Scalar>(mesh: &Mesh) -> MassProperties<T> {
+    let found = mesh.mass_properties(1.0);
+    MassProperties {
+        volume: T::from_f64(found.volume),
+        mass: T::from_f64(found.mass),
+        center: found.center.map(T::from_f64),
+        inertia: found.inertia.map(|row| row.map(T::from_f64)),
     }
 }
 

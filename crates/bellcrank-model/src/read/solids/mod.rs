@@ -1,5 +1,6 @@
 //! `[solids]`, and which body uses which.
 
+mod files;
 mod fit;
 mod form;
 mod link;

@@ -1,9 +1,11 @@
 //! Bodies of revolution, and solids from files.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use bellcrank_doc::{Diagnostic, Dimension, Spanned, unit};
+use bellcrank_doc::{Diagnostic, Dimension, Span, Spanned, unit};
 
+use super::files;
 use super::form::FormReader;
 use crate::design::{FileForm, RevolvedForm, SolidForm, Spot};
 use crate::keyed::Keyed;
@@ -44,36 +46,36 @@ fn refuse(keyed: &Keyed<'_>, names: &[&'static str], why: &str) {
     }
 }
 
-/// Endings of meshes, and of parts that an external mesher makes meshes of.
-const MESHES: [&str; 2] = ["inp", "msh"];
-const PARTS: [&str; 2] = ["step", "stp"];
-
 pub(super) fn file(reader: &FormReader<'_>, keyed: &Keyed<'_>) -> Option<SolidForm> {
     refuse(keyed, &OF_LINKS, "a file has its own form");
     let file = keyed.text("file")?;
     let ending = Path::new(file.value).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-    let ending = ending.unwrap_or_default();
-    let is_part = PARTS.contains(&ending.as_str());
-    if !is_part && !MESHES.contains(&ending.as_str()) {
-        let message = format!("{} ends in none of `.inp`, `.msh`, `.step`, `.stp`", keyed.named("file"));
-        keyed.report(Diagnostic::error("unknown-choice", file.span, message));
-        return None;
-    }
-    let scale = if is_part { Some(MILLIMETRE) } else { scale(keyed) };
-    if is_part {
-        refuse(keyed, &["unit"], "a STEP file says its own");
-    }
     let path = reader.part.part.folder.join(file.value);
-    if !path.is_file() {
-        let message = format!("there is no file `{}`", path.display());
-        keyed.report(Diagnostic::error("cannot-read", file.span, message));
-        return None;
+    let mesh = match ending.as_deref() {
+        Some("step" | "stp") => {
+            refuse(keyed, &["unit"], "a STEP file says its own");
+            files::part(&path)
+        }
+        Some(ending @ ("inp" | "msh")) => files::mesh(&path, ending, scale(keyed)?),
+        _ => {
+            let message = format!("{} ends in none of `.inp`, `.msh`, `.step`, `.stp`", keyed.named("file"));
+            Err(vec![Diagnostic::error("unknown-choice", file.span, message)])
+        }
+    };
+    match mesh {
+        Ok(mesh) => Some(SolidForm::File(FileForm { mesh: Arc::new(mesh), file: file.value.to_owned() })),
+        Err(reports) => {
+            // What is wrong in the file is told where the model names it.
+            reports.into_iter().for_each(|report| keyed.report(placed(report, file.span)));
+            None
+        }
     }
-    Some(SolidForm::File(FileForm { path, span: file.span, scale: scale? }))
 }
 
-/// The mesher counts in these whatever a STEP file says.
-const MILLIMETRE: f64 = 1e-3;
+fn placed(report: Diagnostic, span: Span) -> Diagnostic {
+    let primary = report.primary.or_else(|| Diagnostic::error("", span, "").primary);
+    Diagnostic { primary, ..report }
+}
 
 /// Meshes have no unit of their own.
 fn scale(keyed: &Keyed<'_>) -> Option<f64> {
