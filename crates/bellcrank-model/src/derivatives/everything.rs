@@ -100,7 +100,6 @@ density = "{7850 kg/m^3}"
 [solids.link]
 material = "steel"
 thickness = "{20 mm}"
-fillet = "{3 mm}"
 plane = "zx"
 [solids.link.eyes]
 A = { bore = "{31 mm}", outer = "{71 mm}", width = "{33 mm}", offset = "{4 mm}", clearance = "{83 mm}" }
@@ -109,7 +108,7 @@ C = { at = ["{110 mm}", "{120 mm}"], bore = "{11 mm}", outer = "{41 mm}" }
 [solids.link.webs]
 box = { kind = "box", between = ["A", "B"], width = ["{44 mm}", "{33 mm}"], height = "{24 mm}", wall = "{5 mm}", skin = "{3 mm}" }
 beam = { kind = "i", between = ["A", "C"], width = "{37 mm}", flange = "{8 mm}", web = "{6 mm}" }
-hull = { kind = "hull", between = ["B", "C"], thickness = "{9 mm}", offset = "{-2 mm}" }
+hull = { kind = "hull", between = ["B", "C"], thickness = "{9 mm}", offset = "{-12 mm}" }
 [solids.link.plates.tab]
 thickness = "{12 mm}"
 outline = [["{107 mm}", "{119 mm}"], { at = ["{150 mm}", "{121 mm}"], radius = "{4 mm}" }, ["{148 mm}", "{170 mm}"], { at = ["{105 mm}", "{168 mm}"], radius = "{7 mm}" }]
@@ -121,6 +120,20 @@ notch = { kind = "outline", outline = [["{128 mm}", "{142 mm}"], ["{139 mm}", "{
 [bodies.d]
 points = { A = ["{3 mm}", 0, "{-2 mm}"], B = ["{13 mm}", "{1 mm}", "{290 mm}"] }
 solid = "link"
+
+[solids.bar]
+material = "steel"
+thickness = "{20 mm}"
+fillet = "{7 mm}"
+[solids.bar.eyes]
+A = { bore = "{31 mm}", outer = "{71 mm}" }
+B = { bore = "{22 mm}", outer = "{52 mm}" }
+[solids.bar.webs]
+flat = { between = ["A", "B"], width = ["{44 mm}", "{33 mm}"] }
+
+[bodies.f]
+points = { A = ["{3 mm}", "{2 mm}", 0], B = ["{213 mm}", "{11 mm}", 0] }
+solid = "bar"
 
 [solids.pin]
 material = "steel"
