@@ -6,7 +6,9 @@
 
 #![expect(clippy::needless_range_loop, reason = "indices of components are how the formulas are written down")]
 
+mod adapt;
 mod assemble;
+mod balance;
 mod check;
 mod element;
 mod fault;
@@ -25,6 +27,8 @@ pub mod stress;
 mod surface;
 mod vector;
 
+pub use adapt::{SizeField, element_sizes, element_stress_errors, wanted_sizes};
+pub use balance::nodal_forces;
 pub use fault::{Fault, FreeMotion};
 pub use load::Load;
 pub use material::{Material, MaterialFault, Six, principal, von_mises};

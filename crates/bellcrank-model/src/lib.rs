@@ -14,6 +14,7 @@ mod derivatives;
 mod design;
 mod disk;
 mod drawing;
+mod elastic;
 mod error;
 mod geometry;
 mod improve;

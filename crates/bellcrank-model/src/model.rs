@@ -9,7 +9,7 @@ use bellcrank_results::{Drawing, ParameterRow, RunResult, SpaceKind, StudyResult
 
 use crate::build::{self, Built};
 use crate::design::{Design, Missing, Study, Task, Values};
-use crate::{Check, Progress, RunError, RunOptions, ask, check, drawing, provenance, run};
+use crate::{Check, Progress, RunError, RunOptions, ask, check, drawing, elastic, provenance, run};
 
 /// A study as the file names it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -186,6 +186,7 @@ impl Model {
     fn execute(&self, study: &Study, options: &RunOptions, progress: &mut dyn Progress) -> StudyResult {
         match &study.task {
             Task::Ask(ask) => ask::run(self.design(), &self.parts.studies, study, ask, options, progress),
+            Task::Parts(of) => elastic::run(self.design(), &self.parts.studies, study, of, options, progress),
             _ => run::run(self.design(), study, progress),
         }
     }

@@ -50,7 +50,7 @@ const MOST_HODOGRAPHS: usize = 24;
 pub fn figures(study: &StudyResult) -> Vec<FigureFile> {
     let mut figures = study.findings.as_ref().map_or_else(Vec::new, |findings| of_findings(study, findings));
     // A choice of a drive has drawn all its rows already.
-    let drawn = matches!(study.findings, Some(Findings::Sizing(_)));
+    let drawn = matches!(study.findings, Some(Findings::Sizing(_) | Findings::Stress(_)));
     if study.table.rows() > 1 && !drawn {
         figures.extend(cycle::figure(study));
         figures.extend(charts(study));
@@ -69,8 +69,8 @@ fn of_findings(study: &StudyResult, findings: &Findings) -> Vec<FigureFile> {
         Findings::Optimization(found) => optimization::figures(found),
         Findings::Designs(found) => designs::figures(found),
         Findings::Tolerance(found) => tolerance::figures(found),
-        Findings::Modes(_) => Vec::new(),
-        Findings::Sizing(_) => over_the_axis(study),
+        Findings::Modes(_) | Findings::BodyModes(_) => Vec::new(),
+        Findings::Sizing(_) | Findings::Stress(_) => over_the_axis(study),
     }
 }
 

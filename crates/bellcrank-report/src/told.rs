@@ -8,6 +8,7 @@ pub(crate) mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
+pub(crate) mod stress;
 mod tolerance;
 
 pub(crate) use optimization::{constraint_effect, optima, variable_effect};
@@ -27,6 +28,8 @@ pub(crate) fn sentences(findings: &Findings) -> Vec<String> {
         Findings::Tolerance(found) => tolerance::sentences(found),
         Findings::Modes(found) => modes::sentences(found),
         Findings::Sizing(found) => sizing::sentences(found),
+        Findings::Stress(found) => stress::sentences(found),
+        Findings::BodyModes(found) => stress::mode_sentences(found),
     }
 }
 
@@ -39,7 +42,8 @@ pub(crate) fn unmet(study: &StudyResult) -> Option<String> {
         Findings::Optimization(found) => optimization::unmet(found),
         Findings::Designs(found) => designs::unmet(found),
         Findings::Sizing(found) => sizing::unmet(found),
-        Findings::Sensitivity(_) | Findings::Tolerance(_) | Findings::Modes(_) => None,
+        Findings::Stress(found) => stress::unmet(found),
+        Findings::Sensitivity(_) | Findings::Tolerance(_) | Findings::Modes(_) | Findings::BodyModes(_) => None,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::summary::{change, rounded};
 use crate::{
-    Candidate, Check, Event, Events, Field, Findings, Modes, Optimization, Sensitivity, Sizing, TextTable, Tolerance,
-    Unit, heading,
+    BodyModes, Candidate, Check, Event, Events, Field, Findings, Modes, Optimization, Sensitivity, Sizing, Stress,
+    TextTable, Tolerance, Unit, heading,
 };
 
 /// The tables of a finding, each with the stem of its file: `sensitivity`, `curves`, `iterations`, ...
@@ -21,6 +21,8 @@ pub fn finding_tables(findings: &Findings) -> Vec<(String, TextTable)> {
         Findings::Tolerance(found) => vec![("tolerances", tolerances(found)), ("histogram", histogram(found))],
         Findings::Modes(found) => vec![("modes", modes(found))],
         Findings::Sizing(found) => vec![("candidates", candidates(found))],
+        Findings::Stress(found) => vec![("hot_spots", hot_spots(found)), ("meshes", meshes(found))],
+        Findings::BodyModes(found) => vec![("frequencies", frequencies(found))],
         Findings::Designs(_) => Vec::new(),
     };
     let filled = tables.into_iter().filter(|(_, table)| !table.rows.is_empty());
@@ -209,6 +211,55 @@ fn modes(found: &Modes) -> TextTable {
         row
     };
     TextTable { heads, rows: found.modes.iter().enumerate().map(row).collect() }
+}
+
+/// A row a region of a body.
+fn hot_spots(found: &Stress) -> TextTable {
+    let rows = found.bodies.iter().flat_map(|body| body.spots.iter().map(move |spot| (body, spot)));
+    let row = |(body, spot): (&crate::StressBody, &crate::HotSpot)| {
+        let mut row = vec![text(&body.body), text(&spot.region)];
+        row.push(text(if spot.place.is_empty() { &body.place } else { &spot.place }));
+        row.extend(spot.at.map(|x| number(x, &found.length)));
+        row.extend([spot.value, spot.error, spot.principal[0], spot.principal[1]].map(|si| number(si, &found.unit)));
+        row.push(Field::Number(spot.margin.unwrap_or(f64::NAN)));
+        row.push(text(spot.singular.unwrap_or("")));
+        row
+    };
+    let mut names = heads(["body", "region", "position"]).to_vec();
+    names.extend(["x", "y", "z"].map(|name| heading(name, &found.length)));
+    let stresses = ["von Mises", "error", "largest principal", "smallest principal"];
+    names.extend(stresses.map(|name| heading(name, &found.unit)));
+    names.extend(heads(["margin", "not to be trusted"]));
+    TextTable { heads: names, rows: rows.map(row).collect() }
+}
+
+/// A row a mesh.
+fn meshes(found: &Stress) -> TextTable {
+    let rows =
+        found.bodies.iter().flat_map(|body| body.meshes.iter().enumerate().map(move |(k, mesh)| (body, k, mesh)));
+    let row = |(body, k, mesh): (&crate::StressBody, usize, &crate::MeshRow)| {
+        vec![
+            text(&body.body),
+            Field::Number((k + 1) as f64),
+            Field::Number(mesh.nodes as f64),
+            Field::Number(mesh.elements as f64),
+            text(&mesh.element),
+            Field::Number(mesh.worst_jacobian),
+            number(mesh.peak, &found.unit),
+            Field::Number(mesh.error),
+        ]
+    };
+    let mut names = heads(["body", "mesh", "nodes", "elements", "element", "worst scaled Jacobian", "", "error"]);
+    names[6] = heading("peak", &found.unit);
+    table(names, rows.map(row).collect())
+}
+
+fn frequencies(found: &BodyModes) -> TextTable {
+    let rows = found.bodies.iter().flat_map(|body| {
+        let row = |(k, f): (usize, &f64)| vec![text(&body.body), Field::Number((k + 1) as f64), Field::Number(*f)];
+        body.frequencies.iter().enumerate().map(row).collect::<Vec<_>>()
+    });
+    table(heads(["body", "mode", "frequency [Hz]"]), rows.collect())
 }
 
 /// What happened, a row an event; nothing without.

@@ -47,8 +47,12 @@ fn attitude(c: Coordinate, joint: String, span: Span) -> Diagnostic {
         .hint("the three angles of free turning belong together; use a `torque` on the body, or hinges in a row")
 }
 
-/// Bodies that no chain of joints leads to from the ground: a warning each.
+/// Bodies that no chain of joints leads to from the ground: a warning each. Parts in a file without joints are looked at
+/// by themselves.
 pub(crate) fn check_connected(design: &Design) -> Vec<Diagnostic> {
+    if design.joints.is_empty() && design.bodies.iter().skip(1).all(|body| body.solid.is_some()) {
+        return Vec::new();
+    }
     let warning = |body: &Body| {
         let message = format!("body `{}` is not connected to the ground", body.name);
         let hint = "connect it by a joint; one of kind `free` lets it move any way";

@@ -33,6 +33,9 @@ impl Study {
                 held(&mut numbers, &of.holds);
                 check_motions(&mut numbers, &of.motions);
             }
+            Task::Parts(of) => of.each_quantity(&mut |quantity| {
+                numbers.number(quantity, format_args!("a value of study `{}`", self.name));
+            }),
             Task::Ask(_) | Task::Later => {}
         }
         let acting = self.task.motions();

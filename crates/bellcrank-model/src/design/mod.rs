@@ -5,6 +5,7 @@ mod dynamics;
 mod force;
 mod joint;
 mod motion;
+mod part;
 mod scope;
 mod sizing;
 mod solid;
@@ -23,6 +24,9 @@ pub(crate) use dynamics::{Dynamics, Modes, ROWS, Stepping, StopWhen};
 pub(crate) use force::{Axes, Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
+pub(crate) use part::{
+    Accuracy, At, BodyModes, Hinges, HoldForm, LoadForm, MeshForm, PartQuestion, Parts, StressForm, SupportForm,
+};
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
 pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
 pub(crate) use solid::{

@@ -3,7 +3,7 @@
 use bellcrank_doc::{ParameterSet, Span};
 use bellcrank_multibody::Coordinate;
 
-use super::{Ask, Dynamics, Modes, Quantity, Values};
+use super::{Ask, Dynamics, Modes, Parts, Quantity, Values};
 use crate::schema::AVAILABLE;
 
 /// A study.
@@ -34,6 +34,8 @@ pub(crate) enum Task {
     Dynamics(Box<Dynamics>),
     /// How the machine rings about a position.
     Modes(Modes),
+    /// Stress or natural frequencies of bodies as elastic parts.
+    Parts(Box<Parts>),
     /// Something asked of another study.
     Ask(Box<Ask>),
     /// Checked, not run in this version: a study of a later kind, or one that asks such a study.
@@ -117,7 +119,7 @@ impl Task {
             Task::Motion { over: Over::Positions { .. }, holds, .. } => (&[], holds),
             Task::Dynamics(of) => (&of.motions, &of.holds),
             Task::Modes(of) => (&of.motions, &of.holds),
-            Task::Ask(_) | Task::Later => (&[], &[]),
+            Task::Parts(_) | Task::Ask(_) | Task::Later => (&[], &[]),
         }
     }
 
@@ -136,6 +138,7 @@ impl Task {
             }
             Task::Dynamics(of) => of.each_quantity(visit),
             Task::Modes(of) => of.holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit),
+            Task::Parts(of) => of.each_quantity(visit),
             // Its expressions are over the main file's parameters; `Study::named` has them.
             Task::Ask(_) | Task::Later => {}
         }

@@ -14,6 +14,7 @@ mod joints;
 mod machine;
 mod materials;
 mod motions;
+mod parts;
 mod planes;
 mod points;
 mod solids;

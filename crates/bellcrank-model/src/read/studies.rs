@@ -16,7 +16,7 @@ use crate::catalogue::stock;
 use crate::design::{Scope, Study, Task, Values};
 use crate::keyed::Keyed;
 use crate::names;
-use crate::schema::{ASKING, STUDY, WITH_ROWS};
+use crate::schema::{ASKING, LOADING, STUDY, WITH_ROWS};
 use crate::signals::{Catalogue, Signal};
 
 /// Studies that lie on each other by `like`; more is a slip.
@@ -148,7 +148,7 @@ impl Finishing<'_> {
     fn studies(&self) -> Vec<Study> {
         let mut finished: Vec<Option<Study>> = (0..self.entries.len()).map(|index| self.plain(index)).collect();
         for index in 0..self.entries.len() {
-            if let Some(study) = self.asking(index, &finished) {
+            if let Some(study) = self.asking(index, &finished).or_else(|| self.loaded(index, &finished)) {
                 finished[index] = Some(study);
             }
         }
@@ -164,7 +164,7 @@ impl Finishing<'_> {
 
     /// A study that asks no other one: what its own and inherited keys make.
     fn plain(&self, index: usize) -> Option<Study> {
-        let (kind, keys) = self.read(index).filter(|(kind, _)| !ASKING.contains(kind))?;
+        let (kind, keys) = self.read(index).filter(|(kind, keys)| !ASKING.contains(kind) && keys.parts.of.is_none())?;
         let entry = self.entries[index];
         let (parameters, changed) = parameters(self.of, &keys.set)?;
         let task = Tasks { entry, kind, of: self.of, signals: &self.signals }.task(keys.clone())?;
@@ -189,6 +189,27 @@ impl Finishing<'_> {
         let answered = asked_kind != "dynamics" || matches!(kind, "sizing" | "sweep");
         let task = if answered { Task::Ask(Box::new(ask)) } else { Task::Later };
         Some(self.study(entry, kind, task, parameters, changed))
+    }
+
+    /// A study of parts that another study loads: its parameters are those of that study, and what it sets itself.
+    fn loaded(&self, index: usize, finished: &[Option<Study>]) -> Option<Study> {
+        let (kind, keys) = self.read(index).filter(|(kind, _)| !ASKING.contains(kind))?;
+        let name = keys.parts.of.as_ref()?;
+        let entry = self.entries[index];
+        // Its own keys are checked whatever is wrong with the other study.
+        let task = Tasks { entry, kind, of: self.of, signals: &self.signals }.task(keys.clone());
+        let other = self.entries.iter().position(|entry| entry.key == name.value);
+        let (other_kind, beneath) = self.read(other?)?;
+        if !LOADING.contains(&other_kind) {
+            let message = format!("study `{}` is of kind `{other_kind}` and finds no forces", name.value);
+            let report = Diagnostic::error("no-rows", name.span, message);
+            let hint = format!("a study of kind {}", LOADING.join(", "));
+            self.of.part.reader.report(report.also(self.entries[other?].key_span, "this study").hint(hint));
+            return None;
+        }
+        finished[other?].as_ref()?;
+        let (parameters, changed) = parameters(self.of, &overlaid(beneath.set.clone(), keys.set.clone()))?;
+        Some(self.study(entry, kind, task?, parameters, changed))
     }
 
     /// The study that another one asks: one with rows.

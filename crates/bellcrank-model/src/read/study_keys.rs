@@ -11,6 +11,7 @@ use bellcrank_multibody::Coordinate;
 use super::asks::{AskKeys, CatalogueFiles, DesignTable};
 use super::forward_keys::ForwardKeys;
 use super::motions::ReadMotions;
+use super::parts::PartKeys;
 use super::{Machine, PartReader};
 use crate::design::{Hold, Quantity, Sweep};
 use crate::keyed::Keyed;
@@ -31,6 +32,8 @@ pub(crate) struct StudyKeys {
     pub(crate) set: Vec<Override>,
     /// Of studies of dynamics and modes alone.
     pub(crate) forward: ForwardKeys,
+    /// Of studies of parts alone.
+    pub(crate) parts: PartKeys,
     /// What it asks of another study.
     pub(crate) ask: AskKeys,
 }
@@ -108,6 +111,7 @@ impl StudyKeys {
             drives: read_drives(keyed, of),
             set: read_set(keyed),
             forward: ForwardKeys::read(keyed, of, &beneath.forward),
+            parts: PartKeys::read(keyed, of),
             ask: AskKeys::read(keyed, of, &beneath.ask),
         }
     }
@@ -130,6 +134,7 @@ impl StudyKeys {
             drives: self.drives.or(beneath.drives.filter(|_| !hide_time)),
             set: overlaid(beneath.set, self.set),
             forward: self.forward.over(beneath.forward, fixed_step),
+            parts: self.parts.over(beneath.parts),
             ask: self.ask.over(beneath.ask),
         }
     }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use bellcrank_doc::{Diagnostic, Entry, Span};
 use bellcrank_multibody::Coordinate;
 
+use super::parts;
 use super::study_keys::{Referred, StudyKeys};
 use crate::design::{Dynamics, Hold, Modes, Over, Stepping, StopWhen, Task};
 use crate::schema::AVAILABLE;
@@ -25,6 +26,12 @@ impl Tasks<'_> {
         if !AVAILABLE.contains(&self.kind) {
             return Some(Task::Later);
         }
+        if self.kind == "stress" || self.kind == "modes" && (self.own("body") || keys.parts.bodies.is_some()) {
+            self.refuse_machine_keys();
+            let parts = parts::parts(self.entry, self.kind, keys.parts, self.of)?;
+            return Some(Task::Parts(Box::new(parts)));
+        }
+        self.refuse_body_keys();
         let holds = keys.holds.clone().unwrap_or_default();
         let task = match self.kind {
             "statics" => {
@@ -50,6 +57,23 @@ impl Tasks<'_> {
 
     fn own(&self, key: &str) -> bool {
         self.entry.value.as_table().is_some_and(|table| table.get(key).is_some())
+    }
+
+    /// Keys of modes of a machine mean nothing for a body.
+    fn refuse_machine_keys(&self) {
+        let machine = ["hold", "motions", "count", "equilibrium"];
+        for key in machine.into_iter().filter(|key| self.kind == "modes" && self.own(key)) {
+            let message = format!("`{key}` of study `{}` is for modes of the machine; it has a `body`", self.entry.key);
+            self.report("conflicting-keys", message);
+        }
+    }
+
+    /// And the other way round.
+    fn refuse_body_keys(&self) {
+        for key in ["modes", "fixed", "mesh"].into_iter().filter(|key| self.kind == "modes" && self.own(key)) {
+            let message = format!("`{key}` of study `{}` is for modes of a body; it has no `body`", self.entry.key);
+            self.report("conflicting-keys", message);
+        }
     }
 
     fn all_motions(&self) -> Vec<usize> {

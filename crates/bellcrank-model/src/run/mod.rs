@@ -22,7 +22,7 @@ use bellcrank_results::StudyResult;
 
 use crate::design::{Design, Study, Task};
 use crate::progress::Progress;
-use session::Session;
+use session::{Session, Watch};
 
 pub(crate) use animation::arrows;
 pub(crate) use course::{Assembly, Course, Laws, Path, Targets};
@@ -32,9 +32,20 @@ pub(crate) use programme::programme;
 
 /// Runs a study that gives rows. What goes wrong is in the result.
 pub(crate) fn run(design: &Design, study: &Study, progress: &mut dyn Progress) -> StudyResult {
+    run_watched(design, study, progress, Box::new(|_, _| {}))
+}
+
+/// The same, with somebody who is told of every row.
+pub(crate) fn run_watched(
+    design: &Design,
+    study: &Study,
+    progress: &mut dyn Progress,
+    watch: Watch<'_>,
+) -> StudyResult {
     let begun = Instant::now();
     let mut result = match Session::new(design, study) {
-        Ok(mut session) => {
+        Ok(session) => {
+            let mut session = session.watched(watch);
             let end = execute(&mut session, study, progress);
             session.finish(end.err())
         }
@@ -56,6 +67,6 @@ fn execute<'d>(session: &mut Session<'d>, study: &'d Study, progress: &mut dyn P
         Task::Dynamics(of) => dynamics::run(session, of, progress),
         Task::Modes(of) => modes::run(session, of, progress),
         // Those that ask are run elsewhere.
-        Task::Ask(_) | Task::Later => Ok(()),
+        Task::Parts(_) | Task::Ask(_) | Task::Later => Ok(()),
     }
 }

@@ -22,6 +22,9 @@ use crate::signals::{Level, View};
 /// Numbers that a table may have; beyond, memory is at stake.
 const MOST_NUMBERS: usize = 1 << 28;
 
+/// Told of every row that is recorded, with the acceleration of free fall.
+pub(crate) type Watch<'w> = Box<dyn FnMut(&View<'_>, [f64; 3]) + 'w>;
+
 /// One study while it runs.
 pub(crate) struct Session<'d> {
     pub(super) design: &'d Design,
@@ -35,6 +38,7 @@ pub(crate) struct Session<'d> {
     pub(super) notes: Notes,
     pub(super) result: StudyResult,
     effort: Effort,
+    watch: Option<Watch<'d>>,
 }
 
 /// Work done.
@@ -69,7 +73,13 @@ impl<'d> Session<'d> {
             notes: Notes::default(),
             result,
             effort: Effort::default(),
+            watch: None,
         })
+    }
+
+    /// With somebody to tell of every row.
+    pub(super) fn watched(self, watch: Watch<'d>) -> Session<'d> {
+        Session { watch: Some(watch), ..self }
     }
 
     pub(super) fn namer(&self) -> Namer<'d> {
@@ -196,6 +206,9 @@ impl<'d> Session<'d> {
         };
         self.recorder.record(&view);
         self.frames.record(&view, self.recorder.rows() - 1);
+        if let Some(watch) = &mut self.watch {
+            watch(&view, self.built.blueprint.gravity);
+        }
         if self.recorder.has_forces() && level == Level::Force && self.result.reactions.is_empty() {
             self.result.reactions = reactions(self.design, &mut *self.engine);
         }

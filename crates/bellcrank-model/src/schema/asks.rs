@@ -14,6 +14,9 @@ pub(crate) const ASKING: &[&str] = &["sensitivity", "optimize", "sweep", "tolera
 /// Kinds of studies that can be asked: they have rows of signals.
 pub(crate) const WITH_ROWS: &[&str] = &["kinematics", "inverse-dynamics", "statics", "dynamics"];
 
+/// Kinds of studies whose rows have forces in them.
+pub(crate) const LOADING: &[&str] = &["inverse-dynamics", "statics", "dynamics"];
+
 const fn plain(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Schema {
     Schema { name, doc, keys, kinds: &[], usual: None }
 }

@@ -161,6 +161,9 @@ fn shape(of: Shape) -> Value {
         Shape::Parameters => reference("parameters"),
         Shape::Map => reference("map"),
         Shape::NamesOrMap => json!({ "anyOf": [reference("names"), { "type": "object" }] }),
+        Shape::Row => {
+            json!({ "anyOf": [{ "enum": ["worst", "all"] }, { "type": "integer", "minimum": 0 }, { "type": "object" }] })
+        }
         Shape::Spot => spot(),
         Shape::Pairs(dimension) => json!({ "type": "array", "items": list(dimension, &[2]) }),
         Shape::Outline(corner) => {

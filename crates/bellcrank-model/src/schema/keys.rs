@@ -102,6 +102,8 @@ pub(crate) enum Shape {
     Map,
     /// Names, or a table of named values.
     NamesOrMap,
+    /// Which row of a study: a word, a number, or a table of a signal and its value.
+    Row,
     /// A point of the body by name, or coordinates.
     Spot,
     /// A list of pairs of values of one dimension.

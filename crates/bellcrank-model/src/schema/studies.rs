@@ -5,6 +5,7 @@ use bellcrank_doc::Dimension as D;
 use super::asks::{DESIGNS, OF, OPTIMIZE, SENSITIVITY, TOLERANCE};
 use super::keys::Shape::{Boolean, Comparisons, Map, Name, Names, NamesOrMap, OneOf, Table, Value, Whole};
 use super::keys::{Key, Kind, Schema};
+use super::parts::{self, STRESS};
 use super::sizing::SIZING;
 use super::tables::{DRIVE, SWEEP};
 
@@ -20,10 +21,11 @@ pub(crate) const AVAILABLE: &[&str] = &[
     "sweep",
     "tolerance",
     "sizing",
+    "stress",
 ];
 
 /// Kinds whose keys are not settled: an unknown key there is no error yet.
-pub(crate) const OPEN: &[&str] = &["workspace", "stress"];
+pub(crate) const OPEN: &[&str] = &["workspace"];
 
 const fn kind(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Kind {
     Kind { name, doc, keys }
@@ -73,6 +75,10 @@ const MODES: &[Key] = &[
     Key::optional("motions", Names, "motions whose joints are held where they begin; none unless given"),
     Key::optional("count", Whole(1, 100_000), "so many modes, the slowest first; all unless given"),
     Key::optional("equilibrium", Boolean, "find equilibrium first (unless given), or take the position as assembled"),
+    parts::BODY,
+    parts::COUNT,
+    parts::FIXED,
+    parts::BODY_MESH,
 ];
 const OVER_POSITIONS_OR_TIME: &[Key] = &[SWEPT, DRIVEN, HOLD, DURATION, STEP, MOTIONS, DRIVES];
 
@@ -88,14 +94,14 @@ pub(crate) static STUDY: Schema = Schema {
         kind("inverse-dynamics", "kinematics, drive forces and reactions", OVER_POSITIONS_OR_TIME),
         kind("statics", "equilibrium at rest", &[SWEPT, HOLD, MOTIONS]),
         kind("dynamics", "motion from forces, in time", DYNAMICS),
-        kind("modes", "natural frequencies, damping and mode shapes about a position", MODES),
+        kind("modes", "natural frequencies and mode shapes: of the machine about a position, or of a body", MODES),
         kind("sensitivity", "derivatives of a response with respect to parameters", SENSITIVITY),
         kind("optimize", "the best parameters", OPTIMIZE),
         kind("sweep", "responses over many designs", DESIGNS),
         kind("tolerance", "scatter of a response", TOLERANCE),
         kind("sizing", "a standard cylinder or an electric drive for the force, stroke and speed of a drive", SIZING),
         kind("workspace", "where a point can go", &[OF]),
-        kind("stress", "stresses of flexible bodies", &[OF]),
+        kind("stress", "stress in a body, with its error", STRESS),
     ],
     usual: None,
 };

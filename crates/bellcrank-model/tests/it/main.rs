@@ -15,6 +15,7 @@ mod random;
 mod residuals;
 mod sizing;
 mod solids;
+mod stress;
 mod studies;
 mod subsystems;
 mod suite;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use bellcrank_model::{RunOptions, Silent};
+use bellcrank_results::{Findings, StudyResult};
 
 use crate::support::{model_of, root};
 
@@ -26,13 +27,17 @@ fn every_shipped_machine_closes_and_balances() {
     assert!(machines.len() >= 12, "{machines:?}");
     for path in machines {
         let model = model_of(&path);
-        // Studies that ask others have no rows.
-        let asking = ["sensitivity", "optimize", "sweep", "tolerance", "sizing"];
+        // Studies that ask others have no rows, and parts close no loops.
+        let asking = ["sensitivity", "optimize", "sweep", "tolerance", "sizing", "stress"];
         let with_rows = model.studies().into_iter().filter(|study| study.available);
         let with_rows = with_rows.filter(|study| !asking.contains(&study.kind.as_str())).map(|study| study.name);
-        let run = model.run_all(&with_rows.collect::<Vec<_>>(), &RunOptions::default(), &mut Silent).expect("runs");
-        assert!(!run.studies.is_empty(), "{}", path.display());
-        for study in &run.studies {
+        let names: Vec<String> = with_rows.collect();
+        if names.is_empty() || model.joints().is_empty() {
+            continue;
+        }
+        let run = model.run_all(&names, &RunOptions::default(), &mut Silent).expect("runs");
+        let machine = |study: &&StudyResult| !matches!(study.findings, Some(Findings::BodyModes(_)));
+        for study in run.studies.iter().filter(machine) {
             let what = format!("{}, study {}", path.display(), study.name);
             assert!(study.failure.is_none(), "{what}");
             for (signal, limit) in LIMITS {

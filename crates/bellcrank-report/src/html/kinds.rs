@@ -5,6 +5,7 @@ mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
+mod stress;
 mod tolerance;
 
 use bellcrank_results::{Findings, StudyResult};
@@ -23,6 +24,8 @@ pub(crate) fn findings(study: &StudyResult, index: usize, figures: &[FigureFile]
         Findings::Tolerance(found) => tolerance::section(found, figures),
         Findings::Modes(found) => modes::section(found),
         Findings::Sizing(found) => sizing::section(found, figures),
+        Findings::Stress(found) => stress::section(found),
+        Findings::BodyModes(found) => stress::modes(found),
     };
     format!("<h3>Result</h3>\n{}{body}", told(findings))
 }

@@ -1,8 +1,8 @@
 //! What studies found beside their rows: sentences, and a table of a kind's own.
 
 use bellcrank_results::{
-    Candidate, Column, ConstraintRow, Designs, Findings, Modes, Optimization, ParameterSensitivity, Sensitivity,
-    Sizing, StudyResult, Tolerance, ToleranceInput, VariableRow,
+    BodyModes, Candidate, Column, ConstraintRow, Designs, Findings, Modes, Optimization, ParameterSensitivity,
+    Sensitivity, Sizing, Stress, StudyResult, Tolerance, ToleranceInput, VariableRow,
 };
 
 use super::grid::{Cell, Grid};
@@ -36,6 +36,8 @@ pub(crate) fn tables(study: &StudyResult) -> Vec<Grid> {
         Some(Findings::Tolerance(found)) => vec![tolerances(found)],
         Some(Findings::Sizing(found)) => vec![candidates(found)],
         Some(Findings::Modes(found)) => vec![modes(found)],
+        Some(Findings::Stress(found)) => vec![hot_spots(found)],
+        Some(Findings::BodyModes(found)) => vec![frequencies(found)],
         None => Vec::new(),
     }
 }
@@ -204,6 +206,42 @@ fn modes(found: &Modes) -> Grid {
         ]);
     }
     more(&mut grid, found.modes.len(), "modes");
+    grid
+}
+
+/// Those that mean nothing say so.
+fn hot_spots(found: &Stress) -> Grid {
+    let mut grid = Grid::new(["hot spot", "von Mises", "margin", "at", ""]);
+    for body in &found.bodies {
+        for spot in body.spots.iter().take(MOST_ROWS) {
+            let stress = match spot.singular {
+                Some(_) => told::about(spot.value, &found.unit, 4),
+                None => told::stress::with_error(spot, found),
+            };
+            let at = told::stress::place(spot, found);
+            let said = spot.singular.map_or_else(|| spot.place.clone(), |why| format!("NOT TO BE TRUSTED, {why}"));
+            grid.push(vec![
+                Cell::left(&format!("{} {}", body.body, spot.region)),
+                Cell::right(&stress),
+                Cell::right(&spot.margin.map_or_else(String::new, |margin| number::significant(margin, 3))),
+                Cell::left(&format!("[{at}] {}", found.length.symbol)),
+                Cell::left(&said),
+            ]);
+        }
+        more(&mut grid, body.spots.len(), "regions");
+    }
+    grid
+}
+
+fn frequencies(found: &BodyModes) -> Grid {
+    let mut grid = Grid::new(["mode", "frequency"]);
+    for body in &found.bodies {
+        for (index, frequency) in body.frequencies.iter().take(MOST_ROWS).enumerate() {
+            let name = format!("{} {}", body.body, index + 1);
+            grid.push(vec![Cell::left(&name), Cell::right(&number::with_unit(&number::alone(*frequency), "Hz"))]);
+        }
+        more(&mut grid, body.frequencies.len(), "modes");
+    }
     grid
 }
 

@@ -87,7 +87,7 @@ fn hostile_kinds() -> RunResult {
                 found.requirements[0].label.clone_from(&evil);
                 study.table.columns[1].name.clone_from(&evil);
             }
-            Some(Findings::Modes(_)) | None => {}
+            Some(Findings::Modes(_) | Findings::Stress(_) | Findings::BodyModes(_)) | None => {}
         }
     }
     run

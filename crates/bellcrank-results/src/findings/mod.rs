@@ -5,6 +5,7 @@ mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
+mod stress;
 mod tolerance;
 
 pub use designs::{ColumnStatistics, DesignFailure, Designs, ParetoFront};
@@ -14,6 +15,7 @@ pub use optimization::{
 };
 pub use sensitivity::{ActivePlace, Curve, ParameterSensitivity, Sensitivity};
 pub use sizing::{Candidate, Check, Property, Sizing};
+pub use stress::{BodyModeRow, BodyModes, HotSpot, MeshRow, PartEffort, Stress, StressBody};
 pub use tolerance::{HistogramBin, MonteCarlo, SobolIndices, Tolerance, ToleranceInput, Yield};
 
 /// What a study found beside its rows: one over another study, or one of modes.
@@ -31,4 +33,8 @@ pub enum Findings {
     Modes(Modes),
     /// Standard drives that carry the loads.
     Sizing(Sizing),
+    /// Stress in bodies.
+    Stress(Stress),
+    /// Natural frequencies of bodies.
+    BodyModes(BodyModes),
 }

@@ -5,6 +5,7 @@ mod modes;
 mod optimization;
 mod sensitivity;
 mod sizing;
+mod stress;
 mod tolerance;
 
 use serde_json::{Map, Value};
@@ -20,6 +21,8 @@ pub(super) fn keys(findings: &Findings) -> Map<String, Value> {
         Findings::Tolerance(found) => tolerance::keys(found),
         Findings::Modes(found) => modes::keys(found),
         Findings::Sizing(found) => sizing::keys(found),
+        Findings::Stress(found) => stress::keys(found),
+        Findings::BodyModes(found) => stress::mode_keys(found),
     }
 }
 

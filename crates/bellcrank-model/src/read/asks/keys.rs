@@ -12,7 +12,7 @@ use crate::design::{Method, NamedResponse, Scattered, Variable};
 use crate::keyed::Keyed;
 use crate::names;
 use crate::read::study_keys::Referred;
-use crate::schema::{DIRECTIONS, VARIABLE};
+use crate::schema::{ASKING, DIRECTIONS, VARIABLE};
 
 /// What the keys of an asking study say.
 #[derive(Clone, Debug, Default)]
@@ -59,6 +59,9 @@ impl AskKeys {
 
     /// Reads the keys of a study of known kind; `beneath` are those of the study it is like.
     pub(crate) fn read(keyed: &Keyed<'_>, of: Referred<'_>, beneath: &AskKeys) -> AskKeys {
+        if !keyed.kind().is_some_and(|kind| ASKING.contains(&kind)) {
+            return AskKeys::default();
+        }
         let common = AskKeys { of: read_of(keyed, beneath), seed: whole(keyed, "seed"), ..AskKeys::default() };
         match keyed.kind() {
             Some("sensitivity") => AskKeys {

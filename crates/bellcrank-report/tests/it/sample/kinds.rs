@@ -376,7 +376,7 @@ pub fn poor() -> RunResult {
                 found.candidates.retain(|candidate| !candidate.passes);
                 found.chosen = None;
             }
-            Some(Findings::Modes(_)) | None => {}
+            Some(Findings::Modes(_) | Findings::Stress(_) | Findings::BodyModes(_)) | None => {}
         }
     }
     run.studies.last_mut().unwrap().table = Table::default();
