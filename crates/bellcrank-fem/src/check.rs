@@ -3,7 +3,7 @@
 use crate::element::Geometry;
 use crate::numbering::nodes_of;
 use crate::surface::{self, Spread};
-use crate::{CouplingKind, Fault, Load, Part, Region, Support};
+use crate::{CouplingKind, Fault, Load, Part, Region, Support, pieces};
 
 pub(crate) fn part(part: &Part<'_>) -> Vec<Fault> {
     let mut faults = Vec::new();
@@ -27,6 +27,9 @@ pub(crate) fn part(part: &Part<'_>) -> Vec<Fault> {
         } else if coupling.kind == CouplingKind::Distributing && !Spread::new(part.mesh, coupling).carries_moments() {
             faults.push(Fault::CouplingOnLine(index));
         }
+    }
+    if faults.is_empty() {
+        faults.extend(pieces::loose(part));
     }
     faults
 }

@@ -62,6 +62,13 @@ pub enum Fault {
     },
     /// The supports leave the part free to move as a whole.
     UnderSupported(Vec<FreeMotion>),
+    /// The mesh falls into pieces that share no node, and one of them is not held by supports of its own.
+    Pieces {
+        /// How many there are.
+        pieces: usize,
+        /// A node of one that is loose.
+        node: u32,
+    },
     /// Some piece of the mesh can move without being deformed; found when the matrix was factored.
     Loose {
         /// A node of it.

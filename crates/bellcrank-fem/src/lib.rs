@@ -19,6 +19,7 @@ mod material;
 mod modes;
 mod numbering;
 mod part;
+mod pieces;
 mod recovery;
 mod settings;
 mod solver;

@@ -274,3 +274,20 @@ fn springs_bearings_and_skew_supports_balance() {
         assert!((sum[i] + loads[i]).abs() < 1e-6, "{sum:?} {loads:?}");
     }
 }
+
+#[test]
+fn a_loose_piece_is_found() {
+    let mut mesh = bar(Shape::Tet4);
+    let other = grids::grid(Shape::Tet4, [2, 1, 1], |[x, y, z]| [0.7 + 0.1 * x, 0.05 * y + 0.01 * x, 0.04 * z]);
+    let first = mesh.nodes.len() as u32;
+    mesh.nodes.extend(&other.nodes);
+    mesh.blocks[0].nodes.extend(other.blocks[0].nodes.iter().map(|node| node + first));
+    let held = grids::nodes_where(&mesh, |at| at[0] < 0.05);
+    let part = |supports| Part { mesh: &mesh, materials: vec![steel()], supports, couplings: vec![] };
+    let one = part(vec![Support::clamped(held.clone())]);
+    let Err(faults) = Statics::new(&one, Free::Refused, &settings()) else { panic!("loose") };
+    assert!(matches!(faults[..], [Fault::Pieces { pieces: 2, node }] if node >= first), "{faults:?}");
+    let far = grids::nodes_where(&mesh, |at| at[0] > 0.78);
+    let both = part(vec![Support::clamped(held), Support::clamped(far)]);
+    assert!(Statics::new(&both, Free::Refused, &settings()).is_ok());
+}
