@@ -132,6 +132,13 @@ impl Problem<'_> {
                     "add `[studies.NAME.supports.NAME]`; or load it by a study `of`, then its inertia holds it",
                 )
             }
+            Fault::Pieces { pieces, node } => {
+                let message = format!(
+                    "the mesh of body `{body}` is in {pieces} pieces that share no node, and nothing holds the one at {}",
+                    at(*node)
+                );
+                say(message, "join them in the mesh, or hold each by a support")
+            }
             Fault::Loose { node, .. } => {
                 let message = format!("a piece of body `{body}` can move without being deformed, at {}", at(*node));
                 say(message, "is the mesh in one piece there?")
