@@ -44,7 +44,7 @@ pub use error::RunError;
 pub use improve::{ImproveError, Improved};
 pub use load::{Loaded, load};
 pub use model::{Model, StudyInfo};
-pub use options::RunOptions;
+pub use options::{MeshFormats, RunOptions};
 pub use parts::{PartFile, PartFormat};
 pub use progress::{Progress, Silent};
 pub use schema::schema;

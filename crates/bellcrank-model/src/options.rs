@@ -9,6 +9,19 @@ pub struct RunOptions {
     pub threads: usize,
     /// Where studies over many designs write their rows while they run (a folder a study); `None` keeps all in memory.
     pub folder: Option<PathBuf>,
+    /// Files that studies of parts leave of their meshes.
+    pub meshes: MeshFormats,
     /// Begin anew even where an interrupted study could go on.
     pub fresh: bool,
+}
+
+/// Formats of meshes with their results.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct MeshFormats {
+    /// For ParaView, with displacement, stress and its error.
+    pub vtu: bool,
+    /// A whole input file of CalculiX.
+    pub inp: bool,
+    /// For Gmsh.
+    pub msh: bool,
 }

@@ -17,7 +17,7 @@ pub struct Exports {
     pub parquet: bool,
 }
 
-/// Writes what is asked for and what the study has; gives the paths.
+/// Writes what is asked for and what the study has (its attachments were asked for); gives the paths.
 pub(crate) fn write_exports(
     run: &RunResult,
     study: &StudyResult,
@@ -31,6 +31,9 @@ pub(crate) fn write_exports(
     }
     if exports.parquet && study.table.rows() > 0 {
         written.push(write(folder.join("series.parquet"), |file| write_parquet(&study.table, file))?);
+    }
+    for file in &study.attachments {
+        written.push(write(folder.join(&file.name), |out| out.write_all(&file.bytes))?);
     }
     Ok(written)
 }

@@ -36,7 +36,7 @@ pub use reductions::{Extreme, Reductions};
 pub use rows::{CsvRows, ParquetRows, RowColumn, RowKind, RowWriter, write_parquet};
 pub use run::{ParameterRow, Provenance, RunResult};
 pub use solid::{Paint, Shape, Solid, solids};
-pub use study::{Failure, Reaction, StudyResult};
+pub use study::{Attachment, Failure, Reaction, StudyResult};
 pub use summary::{moves, run_summary, study_summary};
 pub use table::{Column, Table};
 pub use unit::Unit;

@@ -22,6 +22,15 @@ pub struct Reaction {
     pub unique: Vec<(String, bool)>,
 }
 
+/// A file that a study leaves when asked for it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attachment {
+    /// Name of the file.
+    pub name: String,
+    /// What is in it.
+    pub bytes: Vec<u8>,
+}
+
 /// What one study leaves: its rows and everything said about them.
 #[derive(Clone, Debug, Default)]
 pub struct StudyResult {
@@ -49,6 +58,8 @@ pub struct StudyResult {
     pub findings: Option<crate::Findings>,
     /// Pictures of parts with stress or mode shapes on them.
     pub contours: Vec<Contour>,
+    /// Files that were asked for: meshes with their results.
+    pub attachments: Vec<Attachment>,
     /// Sentences for the reader.
     pub warnings: Vec<String>,
     /// Solver effort by name (`newton_iterations`, `factorizations`, ...).

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bellcrank_model::PartFormat;
+use bellcrank_model::{MeshFormats, PartFormat};
 use bellcrank_report::Exports;
 
 use crate::args::{CheckArgs, Format, NewArgs, RunArgs, SolidFormat, SolidsArgs};
@@ -34,6 +34,8 @@ pub(crate) struct RunConfig {
     pub(crate) exports: Exports,
     /// Files of solids.
     pub(crate) parts: PartFormat,
+    /// Of studies of parts.
+    pub(crate) meshes: MeshFormats,
     pub(crate) write: Option<Write>,
     pub(crate) printed: Printed,
     /// 0 is one a core.
@@ -65,6 +67,7 @@ impl RunConfig {
             out: args.out.clone(),
             exports: exports(&args.export),
             parts: PartFormat { step: args.export.contains(&Format::Step), stl: args.export.contains(&Format::Stl) },
+            meshes: meshes(&args.export),
             write: args.write.clone().map(|file| Write { file, force: args.force }),
             printed,
             threads: args.threads.map_or(0, usize::from),
@@ -153,6 +156,11 @@ fn setting(text: &str) -> Result<Setting, Refusal> {
         _ => Err(Refusal::command_line(format!("`--set` needs NAME=VALUE, found `{text}`"))
             .hint("write it as `--set l31=700mm`")),
     }
+}
+
+fn meshes(formats: &[Format]) -> MeshFormats {
+    let has = |format| formats.contains(&format);
+    MeshFormats { vtu: has(Format::Vtu), inp: has(Format::Inp), msh: has(Format::Msh) }
 }
 
 fn exports(formats: &[Format]) -> Exports {

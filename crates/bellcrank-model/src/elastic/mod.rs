@@ -6,6 +6,7 @@
 
 mod acting;
 mod faults;
+mod files;
 mod memory;
 mod meshing;
 mod modes;
@@ -22,10 +23,10 @@ use std::time::Instant;
 
 use bellcrank_results::{Failure, Findings, StudyResult};
 
-use crate::RunOptions;
 use crate::design::{Design, PartQuestion, Parts, Study};
 use crate::model::parameter_row;
 use crate::progress::Progress;
+use crate::{MeshFormats, RunOptions};
 
 pub(crate) use meshing::ENDS;
 
@@ -40,6 +41,8 @@ struct Asked<'d> {
     parts: &'d Parts,
     /// Threads to use.
     threads: usize,
+    /// Files that were asked for.
+    meshes: MeshFormats,
 }
 
 /// Runs a study of parts; `studies` are all of the model.
@@ -59,7 +62,7 @@ pub(crate) fn run(
         0 => std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
         threads => threads,
     };
-    let asked = Asked { design, study, parts, threads };
+    let asked = Asked { design, study, parts, threads, meshes: options.meshes };
     let end = match &parts.question {
         PartQuestion::Stress(form) => {
             let of = form.of.as_ref().and_then(|name| studies.iter().find(|other| &other.name == name));

@@ -10,9 +10,9 @@ use super::acting::Acting;
 use super::meshing::{self, Solid};
 use super::pictures::Picture;
 use super::problem::{self, Problem};
-use super::vector::norm;
+use super::vector::{V3, norm};
 use super::watched::watched;
-use super::{Asked, End, cancelled, memory};
+use super::{Asked, End, cancelled, files, memory};
 use crate::design::{BodyModes, Hinges};
 use crate::progress::Progress;
 
@@ -65,6 +65,15 @@ fn one(
         _ => problem.refused(&mesh, &faults),
     })?;
     result.contours.extend(contour(&problem, &mesh, &modes));
+    let elastic: Vec<(f64, &[V3])> = modes
+        .frequencies
+        .iter()
+        .zip(&modes.shapes)
+        .skip(modes.rigid)
+        .map(|(f, shape)| (*f, shape.as_slice()))
+        .collect();
+    let deck = || files::modes_deck(problem.name(), &setup.part, wanted);
+    result.attachments.extend(files::of_modes(problem.name(), &mesh, &elastic, asked.meshes, deck));
     let mass = mesh.mass_properties(material.density);
     let (solid_name, material_name) = problem.names();
     Ok(BodyModeRow {

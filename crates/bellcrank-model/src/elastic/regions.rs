@@ -11,12 +11,11 @@ use super::meshing::Solid;
 use super::vector::{V3, norm, sub};
 use crate::build::Form;
 use crate::design::Plane;
-use crate::run::shown;
 
 /// Nodes that are looked at together.
 #[derive(Clone, Debug)]
 pub(super) struct Region {
-    /// `bore B`, `fillet at [732 mm, -60 mm]`, `elsewhere`.
+    /// `bore B`, `fillet at [732, -60] mm`, `elsewhere`.
     pub(super) name: String,
     /// Part of a signal's name: `bore.B`, `fillet.1`, `elsewhere`.
     pub(super) key: String,
@@ -112,10 +111,20 @@ fn arcs(stack: &Stack<f64>, plane: Plane, mesh: &Mesh, surface: &[u32], length: 
         counts[usize::from(hole)] += 1;
         let (word, count) = if hole { ("hole", counts[1]) } else { ("fillet", counts[0]) };
         let at = if hole { circle.center } else { middle(stack, circle.edges[0], &circle) };
-        let at = at.map(|x| shown(tidy(x, circle.radius), length)).join(", ");
-        found.push(Region { name: format!("{word} at [{at}]"), key: format!("{word}.{count}"), nodes });
+        let at = at.map(|x| rounded(tidy(x, circle.radius), length)).join(", ");
+        found.push(Region {
+            name: format!("{word} at [{at}] {}", length.symbol),
+            key: format!("{word}.{count}"),
+            nodes,
+        });
     }
     found
+}
+
+/// Four digits are enough to find it.
+fn rounded(x: f64, unit: &Unit) -> String {
+    let rounded: f64 = format!("{:.3e}", unit.show(x)).parse().unwrap_or(f64::NAN);
+    format!("{}", rounded + 0.0)
 }
 
 /// What is zero but for rounding.

@@ -9,6 +9,7 @@ use bellcrank_mesh::Mesh;
 use bellcrank_results::{Column, MeshRow, PartEffort, StressBody, StudyResult};
 
 use super::acting::{self, Acting};
+use super::files::Written;
 use super::meshing::Solid;
 use super::pictures::{self, Picture};
 use super::problem::{self, Problem, Setup};
@@ -17,6 +18,7 @@ use super::spots::{self, Spot};
 use super::vector::{V3, norm};
 use super::watched::watched;
 use super::{Asked, End, cancelled, ended, memory, worst};
+use crate::MeshFormats;
 use crate::design::{Accuracy, At, Hinges, StressForm, Study};
 use crate::measure::Measure;
 use crate::progress::Progress;
@@ -81,6 +83,14 @@ struct Fixed<'p> {
     doubtful: Doubtful,
     /// Rows that are solved, with their place in words.
     rows: Vec<(usize, String)>,
+}
+
+impl Fixed<'_> {
+    /// The case with the largest stress.
+    fn shown(&self, body: &StressBody) -> usize {
+        let place = body.peak().map_or("", |spot| spot.place.as_str());
+        self.rows.iter().position(|(_, of)| of == place).unwrap_or(0)
+    }
 }
 
 /// A solved mesh.
@@ -274,6 +284,7 @@ impl One<'_, '_> {
             }
         }
         self.picture(fixed, solved, &body);
+        self.files(fixed, solved, &body);
         let (form, loads) = (self.form, self.loads);
         let found = super::stress_finding(self.result, || bellcrank_results::Stress {
             of: loads.map_or_else(String::new, |loads| loads.of.name.clone()),
@@ -291,8 +302,7 @@ impl One<'_, '_> {
         let units = &self.asked.design.units;
         let (pressure, length) = (units.of(Measure::Stress), units.of(Measure::Length));
         let place = body.peak().map_or("", |spot| spot.place.as_str());
-        let case = fixed.rows.iter().position(|(_, of)| of == place).unwrap_or(0);
-        let Some((solution, stress)) = solved.cases.get(case) else { return };
+        let Some((solution, stress)) = solved.cases.get(fixed.shown(body)) else { return };
         let place = if place.is_empty() { body.place.as_str() } else { place };
         let at = if place.is_empty() { String::new() } else { format!(" at {place}") };
         let picture = Picture::new(&solved.mesh);
@@ -304,6 +314,18 @@ impl One<'_, '_> {
         contour.shapes.push(shape);
         contour.marks = body.spots.iter().map(|spot| pictures::mark(spot, &pressure)).collect();
         self.result.contours.push(contour);
+    }
+
+    /// Of the same row.
+    fn files(&mut self, fixed: &Fixed<'_>, solved: &Solved, body: &StressBody) {
+        let Some((solution, stress)) = solved.cases.get(fixed.shown(body)) else { return };
+        if self.asked.meshes == MeshFormats::default() {
+            return;
+        }
+        // It was made for the same mesh before.
+        let Ok(setup) = fixed.problem.on(&solved.mesh, self.form.hinges) else { return };
+        let written = Written { name: &body.body, part: &setup.part, solution, stress };
+        self.result.attachments.extend(written.files(self.asked.meshes));
     }
 
     fn body(&self, fixed: &Fixed<'_>, solved: &Solved, meshes: Vec<MeshRow>) -> StressBody {

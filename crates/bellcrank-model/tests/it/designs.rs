@@ -260,7 +260,7 @@ impl Progress for Impatient {
 fn a_stopped_run_keeps_its_rows_and_says_how_to_go_on() {
     let folder = folder("stopped");
     let model = model(&folder);
-    let options = RunOptions { folder: Some(folder.clone()), threads: 2, fresh: false };
+    let options = RunOptions { folder: Some(folder.clone()), threads: 2, ..RunOptions::default() };
     let mut impatient = Impatient(std::cell::Cell::new(100));
     let stopped = model.run_all(&["net".to_owned()], &options, &mut impatient).unwrap().studies.remove(0);
     let failure = stopped.failure.as_ref().unwrap();

@@ -57,7 +57,7 @@ pub struct StressBody {
 /// The largest von Mises stress of a region.
 #[derive(Clone, Debug)]
 pub struct HotSpot {
-    /// `bore B`, `fillet at [732 mm, -60 mm]`, `elsewhere`.
+    /// `bore B`, `fillet at [732, -60] mm`, `elsewhere`.
     pub region: String,
     /// Place, body axes, m.
     pub at: [f64; 3],
