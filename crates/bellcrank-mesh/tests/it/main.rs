@@ -4,6 +4,8 @@ mod broken;
 mod external;
 mod files;
 mod links;
+#[path = "../../../bellcrank-solid/tests/it/parts.rs"]
 mod parts;
+#[path = "../../../bellcrank-solid/tests/it/random.rs"]
 mod random;
 mod revolved;

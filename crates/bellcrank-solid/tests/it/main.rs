@@ -1,5 +1,6 @@
 //! Solids against closed forms, other routes to the same number, and other programs.
 
+mod counted;
 mod derivatives;
 mod faults;
 mod gmsh;
