@@ -66,7 +66,7 @@ fn lead(run: &RunResult, study: &StudyResult) -> String {
     let over = if ranges.is_empty() { String::new() } else { format!(", {}", ranges.join(", ")) };
     format!(
         "<p class=\"lead\">{}{}{over}. Computed in {} from <code>{}</code>{}.</p>\n",
-        what(&study.kind),
+        what(study),
         positions(study),
         number::duration(study.seconds),
         Escaped(&run.provenance.file),
@@ -87,14 +87,16 @@ fn range_in_words(range: &str) -> String {
     number::typeset_places(range).replace(" … ", " to ")
 }
 
-fn what(kind: &str) -> String {
-    match kind {
+fn what(study: &StudyResult) -> String {
+    match study.kind.as_str() {
         "kinematics" => "Positions, velocities and accelerations".to_owned(),
         "inverse-dynamics" => "Positions, velocities, accelerations, drive forces and joint reactions \
              (d’Alembert’s principle)"
             .to_owned(),
         "statics" => "Equilibrium of weights, springs and applied forces".to_owned(),
         "dynamics" => "Motion in time under drives and forces".to_owned(),
+        "modes" if !study.contours.is_empty() => "Natural frequencies and mode shapes of an elastic body".to_owned(),
+        "stress" => "Stress in elastic bodies, with its error".to_owned(),
         "modes" => "Natural frequencies, damping and mode shapes of the machine linearized".to_owned(),
         "sensitivity" => "Exact derivatives of a response with respect to parameters".to_owned(),
         "optimize" => "Search for parameters that make a response best within bounds and constraints".to_owned(),
