@@ -37,6 +37,8 @@ pub struct Blueprint<T> {
     pub joints: Vec<Joint<T>>,
     /// Force elements.
     pub forces: Vec<Force<T>>,
+    /// Bodies that change their shape.
+    pub flexible: Vec<crate::Flexible<T>>,
     /// Number of values that are set anew at every position or time ([`Value::Input`]).
     pub inputs: usize,
 }
@@ -48,6 +50,7 @@ impl<T: Copy> Blueprint<T> {
         self.bodies.clone_from(&other.bodies);
         self.joints.clone_from(&other.joints);
         self.forces.clone_from(&other.forces);
+        self.flexible.clone_from(&other.flexible);
         self.inputs = other.inputs;
     }
 }
@@ -113,6 +116,14 @@ pub enum JointKind<T> {
     Planar,
     /// Moving any way: x, y, z, roll, pitch, yaw; in the plane x, y, angle.
     Free,
+    /// Moving any way by little: x, y, z, then turns about x, y, z of the second place's own axes one after another; in
+    /// the plane x, y, angle. Always in the tree: it joins an interface to its flexible body.
+    Elastic,
+    /// So many numbers that move nothing: the modes of a flexible body, and the massless body that stands for them.
+    Modes {
+        /// How many.
+        count: usize,
+    },
     /// Not moving.
     Weld,
     /// The distance of the two origins: held at `length`, or a coordinate.

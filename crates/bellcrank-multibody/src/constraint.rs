@@ -4,7 +4,7 @@
 //! `ḣ = f·v₂₁ + n·ω₂₁` with the velocity of the second body against the first, taken at P₂. The
 //! multiplier λ of the row puts λ(f, n) on the second body and the opposite on the first.
 
-use crate::topology::{Motion, PathEntry, coordinate_count, joint_alignment};
+use crate::topology::{Motion, PathEntry, joint_alignment};
 use crate::workspace::NodeState;
 use crate::{BuildError, JointId, JointKind};
 use bellcrank_math::{Components, Frame, Real, Space, rpy_from_matrix};
@@ -112,7 +112,6 @@ pub(crate) fn link_of<S: Space>(
 ) -> Result<Link<S>, BuildError> {
     let (ends, held) = aligned::<S>(joint, kind, ends)?;
     let rows = if S::DIM == 2 { planar_rows(kind) } else { spatial_rows(kind) };
-    debug_assert!(coordinate_count(kind, S::DIM == 2) <= 6);
     Ok(Link { joint, ends, rows, first_row: 0, held, path: Vec::new(), columns: Vec::new(), points_only: false })
 }
 
@@ -178,7 +177,7 @@ fn spatial_rows<T>(kind: &JointKind<T>) -> Vec<RowKind> {
         K::Weld => [&POINT[..], &NO_TURN].concat(),
         K::Distance { length: Some(_) } => vec![RowKind::Held(Measure::Distance)],
         K::PointOnLine { .. } => ON_Z.to_vec(),
-        K::Free | K::Distance { length: None } | K::Coupler { .. } => Vec::new(),
+        K::Free | K::Elastic | K::Modes { .. } | K::Distance { length: None } | K::Coupler { .. } => Vec::new(),
     }
 }
 

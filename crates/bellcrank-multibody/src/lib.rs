@@ -12,6 +12,7 @@ mod constraint;
 mod dynamics;
 mod engine;
 mod error;
+mod flexible;
 mod forces;
 mod forward;
 mod kinematics;
@@ -32,6 +33,7 @@ pub use engine::{
     PointMotion, Prescription, Reading, Readings, Redundancy, SEEDS, Seeded, Wrench,
 };
 pub use error::{BuildError, MechanismError, System};
+pub use flexible::{Flexible, ShapeInertia, Shortening};
 pub use forward::{
     Advance, Begun, Dynamics, Event, EventKind, Forward, Linearized, Method, Mode, SolverEffort, Surroundings,
 };

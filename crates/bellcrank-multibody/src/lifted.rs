@@ -11,6 +11,7 @@ impl<T: Real> Blueprint<T> {
             bodies: self.bodies.iter().map(|b| map_body(b, f)).collect(),
             joints: self.joints.iter().map(|j| map_joint(j, f)).collect(),
             forces: self.forces.iter().map(|e| map_force(e, f)).collect(),
+            flexible: self.flexible.iter().map(|b| b.map(f)).collect(),
             inputs: self.inputs,
         }
     }
@@ -48,6 +49,8 @@ fn map_kind<T: Real, U: Real>(kind: &JointKind<T>, f: impl Fn(T) -> U + Copy) ->
         K::Spherical => K::Spherical,
         K::Planar => K::Planar,
         K::Free => K::Free,
+        K::Elastic => K::Elastic,
+        K::Modes { count } => K::Modes { count: *count },
         K::Weld => K::Weld,
         K::Distance { length } => K::Distance { length: length.map(f) },
         K::PointOnLine { axis } => K::PointOnLine { axis: axis.map(f) },

@@ -43,7 +43,12 @@ fn joint<T: Scalar>(joint: &Joint<T>, all: &mut Vec<T>) {
         JointKind::Universal { axis, axis2 } => all.extend(axis.iter().chain(axis2)),
         JointKind::Distance { length } => all.extend(length),
         JointKind::Coupler { ratio, offset, .. } => all.extend([ratio, offset]),
-        JointKind::Spherical | JointKind::Planar | JointKind::Free | JointKind::Weld => {}
+        JointKind::Spherical
+        | JointKind::Planar
+        | JointKind::Free
+        | JointKind::Elastic
+        | JointKind::Modes { .. }
+        | JointKind::Weld => {}
     }
 }
 

@@ -82,7 +82,7 @@ fn tree(draw: &mut Draw, planar: bool) -> Blueprint<f64> {
         joints.push(Joint { kind: kind(draw, planar), places: Some(places), start: Vec::new(), at_start: false });
     }
     let gravity = if planar { [0.3, -9.81, 0.0] } else { [0.3, -9.81, 1.2] };
-    Blueprint { gravity, bodies, joints, forces: Vec::new(), inputs: 0 }
+    Blueprint { gravity, bodies, joints, forces: Vec::new(), flexible: Vec::new(), inputs: 0 }
 }
 
 /// Torques and mass matrix in world axes, and twice the kinetic energy.

@@ -52,7 +52,8 @@ pub(crate) fn coordinate_count<T: Real>(kind: &JointKind<T>, planar: bool) -> us
         JointKind::Distance { .. } | JointKind::PointOnLine { .. } => 1,
         JointKind::Cylindrical { .. } | JointKind::Universal { .. } => 2,
         JointKind::Spherical | JointKind::Planar => 3,
-        JointKind::Free => {
+        JointKind::Modes { count } => *count,
+        JointKind::Free | JointKind::Elastic => {
             if planar {
                 3
             } else {
@@ -98,6 +99,16 @@ pub(crate) fn steps_of<S: Space>(joint: JointId, kind: &JointKind<S::T>) -> Resu
             along(&z, Motion::Slide)?,
             Step { motion: Motion::Ball, align: S::identity(), sign: 1.0 },
         ],
+        K::Elastic if planar => vec![along(&x, Motion::Slide)?, along(&y, Motion::Slide)?, along(&z, Motion::Turn)?],
+        K::Elastic => vec![
+            along(&x, Motion::Slide)?,
+            along(&y, Motion::Slide)?,
+            along(&z, Motion::Slide)?,
+            along(&x, Motion::Turn)?,
+            along(&y, Motion::Turn)?,
+            along(&z, Motion::Turn)?,
+        ],
+        K::Modes { count } => vec![along(&x, Motion::Slide)?; *count],
         K::Weld => vec![Step { motion: Motion::Fixed, align: S::identity(), sign: 1.0 }],
         K::Distance { .. } | K::PointOnLine { .. } | K::Coupler { .. } => return Ok(None),
     }))

@@ -28,7 +28,7 @@ fn blueprint() -> Blueprint<f64> {
         let kind = JointKind::Revolute { axis: [0.0, 0.0, 1.0] };
         joints.push(Joint { kind, places: Some([first, second]), start: Vec::new(), at_start: false });
     }
-    Blueprint { gravity: [0.0, 0.0, -9.81], bodies, joints, forces: Vec::new(), inputs: 0 }
+    Blueprint { gravity: [0.0, 0.0, -9.81], bodies, joints, forces: Vec::new(), flexible: Vec::new(), inputs: 0 }
 }
 
 /// Random states within 3 rad, 2 rad/s, 5 rad/s²: the generator of `pinocchio_arm.cpp`.
