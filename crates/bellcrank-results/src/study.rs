@@ -1,6 +1,6 @@
 //! What one study leaves.
 
-use crate::{Animation, Contour, ParameterRow, Table};
+use crate::{Animation, Contour, FlexibleMotion, ParameterRow, Table};
 
 /// Why a study stopped before its end.
 #[derive(Clone, Debug)]
@@ -58,6 +58,10 @@ pub struct StudyResult {
     pub findings: Option<crate::Findings>,
     /// Pictures of parts with stress or mode shapes on them.
     pub contours: Vec<Contour>,
+    /// Its flexible bodies: how they were reduced, and stress in them over the rows.
+    pub flexible: Option<crate::FlexibleBodies>,
+    /// Flexible bodies row by row, for the moving drawing.
+    pub motions: Vec<FlexibleMotion>,
     /// Files that were asked for: meshes with their results.
     pub attachments: Vec<Attachment>,
     /// Sentences for the reader.

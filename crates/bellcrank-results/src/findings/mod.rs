@@ -1,6 +1,7 @@
 //! What studies over other studies find: plain data, one file a kind.
 
 mod designs;
+mod flexible;
 mod modes;
 mod optimization;
 mod sensitivity;
@@ -9,6 +10,7 @@ mod stress;
 mod tolerance;
 
 pub use designs::{ColumnStatistics, DesignFailure, Designs, ParetoFront};
+pub use flexible::{Deformation, Fatigue, FlexibleBodies, FlexibleBody, KeptMode, ReductionCheck, SpotHistory};
 pub use modes::{ModeKind, ModeRow, Modes, ShapeRow};
 pub use optimization::{
     Compared, ConstraintRow, FirstOrder, IterationRow, Objective, Optimization, StartRow, VariableRow,
