@@ -1,7 +1,7 @@
 //! Linear elasticity on a mesh.
 //!
 //! Reading order: [`Part`] (mesh, materials, supports, couplings), [`Load`], [`Statics`] (one factorization, any
-//! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error). All in SI and in the axes of the mesh.
+//! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error), [`reduce`] (a part as a flexible body). All in SI and in the axes of the mesh.
 //! No joints, no files, no units; threads as many as the caller says.
 
 #![expect(clippy::needless_range_loop, reason = "indices of components are how the formulas are written down")]
@@ -22,6 +22,7 @@ mod numbering;
 mod part;
 mod pieces;
 mod recovery;
+pub mod reduce;
 mod settings;
 mod solver;
 mod statics;
@@ -37,6 +38,7 @@ pub use load::Load;
 pub use material::{Material, MaterialFault, Six, principal, von_mises};
 pub use modes::Modes;
 pub use part::{Coupling, CouplingKind, Part, Region, Support};
+pub use reduce::{Interface, Keep, Reduction, ReductionChecks};
 pub use settings::Settings;
 pub use statics::{Effort, Free, Solution, Statics};
 pub use stress::{Peak, Stress};

@@ -90,8 +90,7 @@ fn edges<S: Space>(blueprint: &Blueprint<S::T>, steps: &Steps<S>) -> Vec<Edge> {
             let dofs: usize = steps.iter().map(|s| s.motion.dofs()).sum();
             // A coupled coordinate counts its turns without end only in the tree; so does a flexible body's shape.
             let deforms = matches!(j.kind, JointKind::Elastic | JointKind::Modes { .. });
-            let cost =
-                if deforms { 0 } else { 1 + 2 * dofs - usize::from(dofs > 0 && is_coupled(blueprint, joint)) };
+            let cost = if deforms { 0 } else { 1 + 2 * dofs - usize::from(dofs > 0 && is_coupled(blueprint, joint)) };
             edges.push(Edge { joint, bodies: [places[0].body.0, places[1].body.0], cost });
         }
     }

@@ -5,5 +5,6 @@ mod convergence;
 mod grids;
 mod patch;
 mod published;
+mod reduction;
 mod supports;
 mod vibration;

@@ -60,6 +60,78 @@ pub fn symmetric_eigen(a: &[Vec<f64>]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
     Some((eigen.eigenvalues.iter().copied().collect(), vectors))
 }
 
+/// Eigenvalues (ascending) and eigenvectors of `k x = λ m x`, `xᵢᵀ m xⱼ = δᵢⱼ`, for symmetric `k` and `m`. `None` when `m` is
+/// not positive definite. Rows and columns are scaled by the diagonal of `m` first: their units may differ.
+pub fn generalized_eigen(k: &[Vec<f64>], m: &[Vec<f64>]) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+    let n = m.len();
+    if n == 0 {
+        return Some((Vec::new(), Vec::new()));
+    }
+    let scale: Vec<f64> = (0..n).map(|i| 1.0 / m[i][i].sqrt()).collect();
+    if scale.iter().any(|s| !s.is_finite()) {
+        return None;
+    }
+    let scaled = |a: &[Vec<f64>]| DMatrix::from_fn(n, n, |i, j| 0.5 * (a[i][j] + a[j][i]) * scale[i] * scale[j]);
+    let lower = nalgebra::Cholesky::new(scaled(m))?.unpack();
+    let half = lower.solve_lower_triangular(&scaled(k))?;
+    let standard = lower.solve_lower_triangular(&half.transpose())?;
+    let rows: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| 0.5 * (standard[(i, j)] + standard[(j, i)])).collect()).collect();
+    let (values, vectors) = symmetric_eigen(&rows)?;
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|&i, &j| values[i].total_cmp(&values[j]));
+    let upper = lower.transpose();
+    let back = |k: usize| -> Option<Vec<f64>> {
+        let x = upper.solve_upper_triangular(&nalgebra::DVector::from_column_slice(&vectors[k]))?;
+        Some(x.iter().zip(&scale).map(|(x, s)| x * s).collect())
+    };
+    let vectors = order.iter().map(|&k| back(k)).collect::<Option<_>>()?;
+    Some((order.iter().map(|&k| values[k]).collect(), vectors))
+}
+
+/// A basis of what is orthogonal to `known` in the product of the positive definite `m`: `xᵀ m z = 0`.
+///
+/// Unit vectors lead, the one with the most of its own first, so that the answer does not hang on rounding.
+pub fn complement(m: &[Vec<f64>], known: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let n = m.len();
+    let mut taken: Vec<(Vec<f64>, Vec<f64>)> = Vec::new();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    // Twice, as what is left after the first time may be small.
+    let rest = |mut x: Vec<f64>, taken: &[(Vec<f64>, Vec<f64>)]| {
+        for _ in 0..2 {
+            for (z, mz) in taken {
+                let part = dot(mz, &x);
+                x.iter_mut().zip(z).for_each(|(x, z)| *x -= part * z);
+            }
+        }
+        let heavy: Vec<f64> = m.iter().map(|row| dot(row, &x)).collect();
+        let length = dot(&x, &heavy).max(0.0).sqrt();
+        (x, heavy, length)
+    };
+    let unit = |(x, heavy, length): (Vec<f64>, Vec<f64>, f64)| {
+        (x.iter().map(|x| x / length).collect(), heavy.iter().map(|x| x / length).collect())
+    };
+    for z in known {
+        let own = rest(z.clone(), &taken);
+        if own.2 > 0.0 {
+            taken.push(unit(own));
+        }
+    }
+    let start = taken.len();
+    let mut left: Vec<usize> = (0..n).collect();
+    while taken.len() < n {
+        // How much of a unit vector, by its own length, is outside of what is taken.
+        let share = |&i: &usize| 1.0 - taken.iter().map(|(_, mz)| mz[i] * mz[i]).sum::<f64>() / m[i][i];
+        let Some(best) = (0..left.len()).max_by(|&a, &b| share(&left[a]).total_cmp(&share(&left[b]))) else { break };
+        let place = left.swap_remove(best);
+        let own = rest((0..n).map(|i| f64::from(u8::from(i == place))).collect(), &taken);
+        if own.2 > 0.0 {
+            taken.push(unit(own));
+        }
+    }
+    taken.split_off(start).into_iter().map(|(x, _)| x).collect()
+}
+
 /// Solves the square system `a x = b`; `None` when singular.
 pub fn solve(a: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
     let n = b.len();

@@ -47,7 +47,14 @@ impl<T: Scalar> Built<T> {
     /// Nothing yet, for [`rebuild`].
     pub(crate) fn empty() -> Built<T> {
         let gravity = [T::zero(); 3];
-        let blueprint = Blueprint { gravity, bodies: Vec::new(), joints: Vec::new(), forces: Vec::new(), flexible: Vec::new(), inputs: 0 };
+        let blueprint = Blueprint {
+            gravity,
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            forces: Vec::new(),
+            flexible: Vec::new(),
+            inputs: 0,
+        };
         Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() }, solids: Vec::new() }
     }
 }

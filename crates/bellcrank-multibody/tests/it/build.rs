@@ -40,7 +40,14 @@ pub fn blueprint(
     forces: Vec<Force<f64>>,
 ) -> Blueprint<f64> {
     let ground = body(0.0, [0.0, 0.0], 0.0);
-    Blueprint { gravity, bodies: std::iter::once(ground).chain(bodies).collect(), joints, forces, flexible: Vec::new(), inputs: 0 }
+    Blueprint {
+        gravity,
+        bodies: std::iter::once(ground).chain(bodies).collect(),
+        joints,
+        forces,
+        flexible: Vec::new(),
+        inputs: 0,
+    }
 }
 
 pub fn force(at: Place<f64>, vector: [f64; 3]) -> Force<f64> {
