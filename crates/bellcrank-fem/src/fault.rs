@@ -60,6 +60,28 @@ pub enum Fault {
         /// Coupling.
         coupling: usize,
     },
+    /// A part that is to be reduced has supports or couplings: its interfaces are all that may take hold of it.
+    ReducedPartHeld,
+    /// A part that is to be reduced has no interface.
+    NoInterface,
+    /// An interface without nodes or area.
+    EmptyInterface(usize),
+    /// An interface whose points lie on one line: it carries no moment about it.
+    InterfaceOnLine(usize),
+    /// A node that belongs to two interfaces.
+    InterfacesOverlap {
+        /// Node.
+        node: u32,
+        /// The two.
+        interfaces: [usize; 2],
+    },
+    /// More modes were asked for than the part has with its interfaces held.
+    TooManyModes {
+        /// Asked.
+        asked: usize,
+        /// Unknowns that are free.
+        available: usize,
+    },
     /// The supports leave the part free to move as a whole.
     UnderSupported(Vec<FreeMotion>),
     /// The mesh falls into pieces that share no node, and one of them is not held by supports of its own.

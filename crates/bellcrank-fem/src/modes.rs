@@ -61,7 +61,7 @@ impl Modes {
     }
 }
 
-fn failed(failure: EigenFailure) -> Failed {
+pub(crate) fn failed(failure: EigenFailure) -> Failed {
     match failure {
         EigenFailure::Factor(failure) => failure.into(),
         EigenFailure::NotConverged { found } => Failed::NotConverged { found },
@@ -95,7 +95,7 @@ fn collect(
 }
 
 /// The sign of a mode means nothing; the largest component is made positive so that it does not change from run to run.
-fn oriented(mut shape: Vec<V3>) -> Vec<V3> {
+pub(crate) fn oriented(mut shape: Vec<V3>) -> Vec<V3> {
     let largest =
         shape.iter().flatten().fold(0.0_f64, |most, &u| if u.abs() > most.abs() * 1.000_001 { u } else { most });
     if largest < 0.0 {

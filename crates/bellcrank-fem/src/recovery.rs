@@ -2,28 +2,42 @@
 
 use bellcrank_mesh::{Block, Shape};
 
+use crate::Part;
 use crate::element::Geometry;
 use crate::material::Six;
 use crate::vector::V3;
-use crate::{Part, Solution, stress};
 
-/// Smoothed stress at each node; nodes between materials get the mean of the sides.
-pub(crate) fn nodal(part: &Part<'_>, solution: &Solution) -> Vec<Six> {
+/// Stress in an element of a block where the geometry was last evaluated, for each of some cases.
+pub(crate) type Sampler<'a> = &'a (dyn Fn(&Geometry, usize, &[u32], &mut [Six]) + Sync);
+
+/// Smoothed stress at each node for each of `cases` stress fields, node by node; nodes between materials get the mean
+/// of the sides.
+pub(crate) fn nodal(part: &Part<'_>, cases: usize, sample: Sampler<'_>) -> Vec<Six> {
     let count = part.mesh.nodes.len();
-    let (mut sums, mut weights) = (vec![[0.0; 6]; count], vec![0.0; count]);
+    let (mut sums, mut weights) = (vec![[0.0; 6]; count * cases], vec![0.0; count]);
     for (index, block) in part.mesh.blocks.iter().enumerate() {
-        let patches = Patches::new(part, solution, index);
-        patches.recover(part, block, |node, stress| {
-            (0..6).for_each(|i| sums[node][i] += stress[i]);
+        let patches = Patches::new(part, cases, sample, index);
+        patches.recover(part, block, |node, stresses| {
+            accumulate(&mut sums[node * cases..(node + 1) * cases], stresses);
             weights[node] += 1.0;
         });
     }
-    for (sum, weight) in sums.iter_mut().zip(weights) {
-        if weight > 0.0 {
-            sum.iter_mut().for_each(|s| *s /= weight);
+    divide(&mut sums, &weights);
+    sums
+}
+
+fn accumulate(sums: &mut [Six], more: &[Six]) {
+    sums.as_flattened_mut().iter_mut().zip(more.as_flattened()).for_each(|(sum, more)| *sum += more);
+}
+
+/// Divides the cases of each node by its weight.
+fn divide(sums: &mut [Six], weights: &[f64]) {
+    let cases = sums.len() / weights.len().max(1);
+    for (sums, weight) in sums.chunks_exact_mut(cases.max(1)).zip(weights) {
+        if *weight > 0.0 {
+            sums.as_flattened_mut().iter_mut().for_each(|s| *s /= weight);
         }
     }
-    sums
 }
 
 /// Where stresses of an element are most accurate: the points of the rule one lower than the full one (Barlow).
@@ -39,7 +53,9 @@ fn sampling(shape: Shape) -> &'static [bellcrank_mesh::Point] {
 /// Stresses sampled in the elements of a block, and the elements of each corner node.
 struct Patches {
     per_element: usize,
+    cases: usize,
     places: Vec<V3>,
+    /// Of each sample, all cases.
     stresses: Vec<Six>,
     starts: Vec<u32>,
     elements: Vec<u32>,
@@ -47,43 +63,40 @@ struct Patches {
 }
 
 impl Patches {
-    fn new(part: &Part<'_>, solution: &Solution, index: usize) -> Self {
+    fn new(part: &Part<'_>, cases: usize, sample: Sampler<'_>, index: usize) -> Self {
         let block = &part.mesh.blocks[index];
         let points = sampling(block.shape);
         let (mut places, mut stresses) = (Vec::new(), Vec::new());
-        let mut geometry = Geometry::default();
+        let (mut geometry, mut here) = (Geometry::default(), vec![[0.0; 6]; cases]);
         for element in block.elements() {
             geometry.set(block.shape, element, &part.mesh.nodes);
             for point in points {
                 geometry.at(point);
                 places.push(geometry.place());
-                stresses.push(stress::evaluate(part, solution, &geometry, index, element));
+                sample(&geometry, index, element, &mut here);
+                stresses.extend_from_slice(&here);
             }
         }
         let (starts, elements) = touching(block, part.mesh.nodes.len());
         let terms = if block.shape.quadratic() { 10 } else { 4 };
-        Self { per_element: points.len(), places, stresses, starts, elements, terms }
+        Self { per_element: points.len(), cases, places, stresses, starts, elements, terms }
     }
 
     fn of(&self, node: u32) -> &[u32] {
         &self.elements[self.starts[node as usize] as usize..self.starts[node as usize + 1] as usize]
     }
 
-    fn recover(&self, part: &Part<'_>, block: &Block, mut give: impl FnMut(usize, Six)) {
+    fn recover(&self, part: &Part<'_>, block: &Block, mut give: impl FnMut(usize, &[Six])) {
         let nodes = &part.mesh.nodes;
         let corners = block.shape.corners();
-        let (mut sums, mut weights) = (vec![[0.0; 6]; nodes.len()], vec![0.0; nodes.len()]);
+        let cases = self.cases;
+        let (mut sums, mut weights) = (vec![[0.0; 6]; nodes.len() * cases], vec![0.0; nodes.len()]);
         let mut work = Work::default();
         for node in (0..nodes.len() as u32).filter(|&node| !self.of(node).is_empty()) {
             self.gather(block, node, &mut work);
-            let fit = Fit::new(self, nodes[node as usize], &work.elements);
-            let mut add = |at: u32| {
-                let stress = fit.at(nodes[at as usize]);
-                (0..6).for_each(|i| sums[at as usize][i] += stress[i]);
-                weights[at as usize] += 1.0;
-            };
-            add(node);
+            work.fit.through(self, nodes[node as usize], &work.elements);
             work.mid_sides.clear();
+            work.mid_sides.push(node);
             for &element in self.of(node) {
                 let element = block.element(element as usize);
                 for (k, ends) in block.shape.edges().iter().enumerate() {
@@ -94,12 +107,15 @@ impl Patches {
             }
             work.mid_sides.sort_unstable();
             work.mid_sides.dedup();
-            work.mid_sides.iter().for_each(|&at| add(at));
-        }
-        for (node, (sum, weight)) in sums.into_iter().zip(weights).enumerate() {
-            if weight > 0.0 {
-                give(node, sum.map(|s| s / weight));
+            for &at in &work.mid_sides {
+                let at = at as usize;
+                work.fit.add_at(nodes[at], &mut sums[at * cases..(at + 1) * cases]);
+                weights[at] += 1.0;
             }
+        }
+        divide(&mut sums, &weights);
+        for node in (0..nodes.len()).filter(|&node| weights[node] > 0.0) {
+            give(node, &sums[node * cases..(node + 1) * cases]);
         }
     }
 
@@ -125,7 +141,9 @@ impl Patches {
 #[derive(Default)]
 struct Work {
     elements: Vec<u32>,
+    /// The patch's corner node and the mid-side nodes of its edges.
     mid_sides: Vec<u32>,
+    fit: Fit,
 }
 
 /// Elements of each corner node of a block.
@@ -159,17 +177,19 @@ const FEWEST_SAMPLES: usize = 8;
 /// disc: 3e-2 serves all shapes, 1e-8 gives ten times the error.
 const LEAST_PIVOT: f64 = 3e-2;
 
-/// Polynomials of the six components about a node, in coordinates scaled by the patch.
+/// Polynomials of the components of each case about a node, in coordinates scaled by the patch.
+#[derive(Default)]
 struct Fit {
     origin: V3,
     scale: V3,
     terms: usize,
-    coefficients: [Six; MOST_TERMS],
+    /// Of each term, all cases.
+    coefficients: Vec<Six>,
 }
 
 impl Fit {
-    fn new(patches: &Patches, origin: V3, elements: &[u32]) -> Self {
-        let terms = patches.terms;
+    fn through(&mut self, patches: &Patches, origin: V3, elements: &[u32]) {
+        let (terms, cases) = (patches.terms, patches.cases);
         let samples = || {
             let of = move |&element: &u32| {
                 let first = element as usize * patches.per_element;
@@ -181,19 +201,20 @@ impl Fit {
         for sample in samples() {
             (0..3).for_each(|i| reach[i] = reach[i].max((patches.places[sample][i] - origin[i]).abs()));
         }
-        let scale = reach.map(|reach| if reach > 0.0 { 1.0 / reach } else { 0.0 });
-        let mut fit = Self { origin, scale, terms, coefficients: [[0.0; 6]; MOST_TERMS] };
+        (self.origin, self.terms) = (origin, terms);
+        self.scale = reach.map(|reach| if reach > 0.0 { 1.0 / reach } else { 0.0 });
+        self.coefficients.clear();
+        self.coefficients.resize(terms * cases, [0.0; 6]);
         let mut normal = [[0.0; MOST_TERMS]; MOST_TERMS];
-        let mut rhs = [[0.0; 6]; MOST_TERMS];
         for sample in samples() {
-            let basis = fit.basis(patches.places[sample]);
-            for i in 0..terms {
+            let basis = self.basis(patches.places[sample]);
+            let stresses = &patches.stresses[sample * cases..(sample + 1) * cases];
+            for (i, sums) in self.coefficients.chunks_exact_mut(cases).enumerate() {
                 (0..=i).for_each(|j| normal[i][j] += basis[i] * basis[j]);
-                (0..6).for_each(|c| rhs[i][c] += basis[i] * patches.stresses[sample][c]);
+                add_times(sums, basis[i], stresses);
             }
         }
-        fit.solve(&mut normal, rhs);
-        fit
+        self.solve(&mut normal, cases);
     }
 
     fn basis(&self, at: V3) -> [f64; MOST_TERMS] {
@@ -201,14 +222,17 @@ impl Fit {
         [1.0, x, y, z, x * y, y * z, z * x, x * x, y * y, z * z]
     }
 
-    fn at(&self, at: V3) -> Six {
+    /// Adds the cases at a place to sums.
+    fn add_at(&self, at: V3, sums: &mut [Six]) {
         let basis = self.basis(at);
-        std::array::from_fn(|c| (0..self.terms).map(|i| basis[i] * self.coefficients[i][c]).sum())
+        for (b, coefficients) in basis.iter().zip(self.coefficients.chunks_exact(sums.len())) {
+            add_times(sums, *b, coefficients);
+        }
     }
 
     /// Cholesky on the normal equations, in the order of the basis; a term that the samples do not tell from those
     /// before it is left out.
-    fn solve(&mut self, a: &mut [[f64; MOST_TERMS]; MOST_TERMS], mut rhs: [Six; MOST_TERMS]) {
+    fn solve(&mut self, a: &mut [[f64; MOST_TERMS]; MOST_TERMS], cases: usize) {
         let terms = self.terms;
         let mut kept = [true; MOST_TERMS];
         for j in 0..terms {
@@ -224,15 +248,24 @@ impl Fit {
                 a[i][j] = (a[i][j] - sum) / a[j][j];
             }
         }
-        for c in 0..6 {
-            for i in (0..terms).filter(|&i| kept[i]) {
-                let sum: f64 = (0..i).filter(|&k| kept[k]).map(|k| a[i][k] * rhs[k][c]).sum();
-                rhs[i][c] = (rhs[i][c] - sum) / a[i][i];
+        for i in 0..terms {
+            let (before, own) = self.coefficients.split_at_mut(i * cases);
+            let own = &mut own[..cases];
+            if !kept[i] {
+                own.fill([0.0; 6]);
+                continue;
             }
-            for i in (0..terms).rev().filter(|&i| kept[i]) {
-                let sum: f64 = (i + 1..terms).filter(|&k| kept[k]).map(|k| a[k][i] * self.coefficients[k][c]).sum();
-                self.coefficients[i][c] = (rhs[i][c] - sum) / a[i][i];
-            }
+            before.chunks_exact(cases).zip(a[i]).for_each(|(known, factor)| add_times(own, -factor, known));
+            own.as_flattened_mut().iter_mut().for_each(|x| *x /= a[i][i]);
+        }
+        for i in (0..terms).rev().filter(|&i| kept[i]) {
+            let (own, after) = self.coefficients[i * cases..].split_at_mut(cases);
+            after.chunks_exact(cases).zip(&a[i + 1..]).for_each(|(known, row)| add_times(own, -row[i], known));
+            own.as_flattened_mut().iter_mut().for_each(|x| *x /= a[i][i]);
         }
     }
+}
+
+fn add_times(sums: &mut [Six], factor: f64, more: &[Six]) {
+    sums.as_flattened_mut().iter_mut().zip(more.as_flattened()).for_each(|(sum, more)| *sum += factor * more);
 }

@@ -387,7 +387,7 @@ fn field_of(part: &Part<'_>, freedom: &Freedom, motion: &[f64; 6]) -> Vec<V3> {
 }
 
 /// Components to pin, of nodes that are free.
-fn pins(part: &Part<'_>, freedom: &Freedom) -> Vec<(u32, usize)> {
+pub(crate) fn pins(part: &Part<'_>, freedom: &Freedom) -> Vec<(u32, usize)> {
     if freedom.free.is_empty() {
         return Vec::new();
     }

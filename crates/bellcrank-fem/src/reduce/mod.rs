@@ -3,11 +3,17 @@
 //! Reading order: [`Interface`], [`Keep`], [`Reduction`] (what comes out), [`reduce_matrices`] (the same for matrices
 //! that are given). Hurty, AIAA Journal 3 (1965) 678; Craig & Bampton, AIAA Journal 6 (1968) 1313.
 
+mod build;
+mod columns;
 mod free;
 mod matrices;
+mod problem;
+mod products;
+mod stress;
 
 pub use free::natural_frequencies;
 pub use matrices::{ReducedMatrices, reduce_matrices};
+pub use stress::stress;
 
 use crate::vector::V3;
 use crate::{CouplingKind, Effort, Region, ShapeIntegrals};

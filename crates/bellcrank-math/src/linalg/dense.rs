@@ -1,5 +1,7 @@
 //! Singular values and eigenvalues of small dense matrices, for questions asked once a study.
 
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
 /// Singular values (descending) with left and right singular vectors of an `m`×`n` matrix.
@@ -132,6 +134,15 @@ pub fn complement(m: &[Vec<f64>], known: &[Vec<f64>]) -> Vec<Vec<f64>> {
     taken.split_off(start).into_iter().map(|(x, _)| x).collect()
 }
 
+/// Aᵀ B of matrices of `rows` rows that are stored by columns; the product, too.
+pub fn transposed_product(a: &[f64], b: &[f64], rows: usize) -> Vec<f64> {
+    let (n, m) = (a.len() / rows.max(1), b.len() / rows.max(1));
+    let mut product = vec![0.0; n * m];
+    let (a, b) = (MatRef::from_column_major_slice(a, rows, n), MatRef::from_column_major_slice(b, rows, m));
+    matmul(MatMut::from_column_major_slice_mut(&mut product, n, m), Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+    product
+}
+
 /// Solves the square system `a x = b`; `None` when singular.
 pub fn solve(a: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
     let n = b.len();
@@ -157,5 +168,69 @@ mod tests {
         let mut e = eigenvalues(&[vec![0.0, -2.0], vec![2.0, 0.0]]);
         e.sort_by(|a, b| a.1.total_cmp(&b.1));
         assert!((e[0].1 + 2.0).abs() < 1e-14 && (e[1].1 - 2.0).abs() < 1e-14);
+    }
+
+    /// Rows of a matrix of numbers that look random.
+    fn numbers(rows: usize, columns: usize) -> Vec<Vec<f64>> {
+        let entry = |i: usize, j: usize| ((i * 37 + j * 101 + 7) as f64 * 0.618_034).sin();
+        (0..rows).map(|i| (0..columns).map(|j| entry(i, j)).collect()).collect()
+    }
+
+    /// A positive definite one, in units that differ by a thousand.
+    fn definite(n: usize, shift: f64) -> Vec<Vec<f64>> {
+        let a = numbers(n, n);
+        let unit = |i: usize| 10f64.powi(3 * (i % 3) as i32 - 3);
+        let product = |i: usize, j: usize| (0..n).map(|k| a[k][i] * a[k][j]).sum::<f64>();
+        (0..n)
+            .map(|i| {
+                (0..n).map(|j| (product(i, j) + shift * f64::from(u8::from(i == j))) * unit(i) * unit(j)).collect()
+            })
+            .collect()
+    }
+
+    fn form(x: &[f64], m: &[Vec<f64>], y: &[f64]) -> f64 {
+        x.iter().zip(m).map(|(x, row)| x * row.iter().zip(y).map(|(a, y)| a * y).sum::<f64>()).sum()
+    }
+
+    #[test]
+    fn generalized_eigenvectors_make_both_matrices_diagonal() {
+        let (k, m) = (definite(7, 0.0), definite(7, 2.0));
+        let (values, vectors) = generalized_eigen(&k, &m).expect("definite");
+        assert!(values.is_sorted());
+        for i in 0..7 {
+            for j in 0..7 {
+                let own = f64::from(u8::from(i == j));
+                assert!((form(&vectors[i], &m, &vectors[j]) - own).abs() < 1e-11);
+                assert!((form(&vectors[i], &k, &vectors[j]) - own * values[i]).abs() < 1e-11 * values[6]);
+            }
+        }
+        assert_eq!(generalized_eigen(&k, &numbers(7, 7)), None);
+    }
+
+    #[test]
+    fn a_complement_is_orthogonal_in_the_product() {
+        let m = definite(9, 0.5);
+        let known = numbers(4, 9);
+        let found = complement(&m, &known);
+        assert_eq!(found.len(), 5);
+        for (i, x) in found.iter().enumerate() {
+            let size = |z: &[f64]| form(z, &m, z).sqrt();
+            assert!(known.iter().all(|z| form(x, &m, z).abs() < 1e-13 * size(z)));
+            for (j, y) in found.iter().enumerate() {
+                assert!((form(x, &m, y) - f64::from(u8::from(i == j))).abs() < 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn a_product_with_a_transpose() {
+        let (a, b) = (numbers(2, 5), numbers(3, 5));
+        let product = transposed_product(&a.concat(), &b.concat(), 5);
+        for (i, a) in a.iter().enumerate() {
+            for (j, b) in b.iter().enumerate() {
+                let sum: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                assert!((product[j * 2 + i] - sum).abs() < 1e-14);
+            }
+        }
     }
 }

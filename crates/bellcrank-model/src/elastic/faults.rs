@@ -132,6 +132,32 @@ impl Problem<'_> {
                     "add `[studies.NAME.supports.NAME]`; or load it by a study `of`, then its inertia holds it",
                 )
             }
+            Fault::ReducedPartHeld => {
+                say(format!("body `{body}` is to be flexible, and has supports or couplings of its own"), "")
+            }
+            Fault::NoInterface => {
+                say(format!("flexible body `{body}` has no interface"), "name points of it: `interfaces = [...]`")
+            }
+            Fault::EmptyInterface(index) | Fault::InterfaceOnLine(index) => {
+                let message =
+                    format!("interface {} of body `{body}` takes hold of nothing that has an area", index + 1);
+                say(message, "an interface takes hold of the bore round its point")
+            }
+            Fault::InterfacesOverlap { node, interfaces: [one, other] } => {
+                let message = format!(
+                    "interfaces {} and {} of body `{body}` take hold of the same place, {}",
+                    one + 1,
+                    other + 1,
+                    at(*node)
+                );
+                say(message, "leave one of them out")
+            }
+            Fault::TooManyModes { asked, available } => {
+                let message = format!(
+                    "{asked} modes of body `{body}` were asked for, and its mesh has {available} unknowns with its interfaces held"
+                );
+                say(message, "ask for fewer `modes`")
+            }
             Fault::Pieces { pieces, node } => {
                 let message = format!(
                     "the mesh of body `{body}` is in {pieces} pieces that share no node, and nothing holds the one at {}",

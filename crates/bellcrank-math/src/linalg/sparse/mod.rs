@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! SymmetricMatrix ┬► Plan (order, supernodes, sizes) ─► Cholesky (numbers) ─► solve
+//!                 │                                        ├► Held: solve under linear constraints
 //!                 │                                        └► Eigenproblem: lowest eigenpairs
 //!                 └► Incomplete ─► conjugate_gradients: where the factor does not fit into memory
 //! ```
@@ -10,6 +11,7 @@ mod dissection;
 mod factor;
 mod front;
 mod gradients;
+mod held;
 mod incomplete;
 mod lanczos;
 mod matrix;
@@ -24,6 +26,7 @@ mod worker;
 
 pub use factor::{Cholesky, Failure, NotPositive, Progress, SMALLEST_PIVOT};
 pub use gradients::{Accuracy, Iterated, IterationFailure, conjugate_gradients};
+pub use held::Held;
 pub use incomplete::Incomplete;
 pub use lanczos::{EigenFailure, Eigenpairs, Eigenproblem};
 pub use matrix::SymmetricMatrix;

@@ -4,15 +4,48 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
 use super::projected::Projected;
-use crate::linalg::sparse::{Cholesky, SymmetricMatrix};
+use crate::linalg::sparse::{Cholesky, Held, SymmetricMatrix};
 
 /// A vector that keeps less than this of its length when what is known is taken out of it is lost to rounding.
 const LOST: f64 = 1e-10;
 
+/// What images are made with: (K − σM)⁻¹, or K⁻¹ on what constraints leave.
+#[derive(Clone, Copy)]
+pub(super) enum Inverse<'a> {
+    Free(&'a Cholesky),
+    Held(&'a Held<'a>),
+}
+
+impl Inverse<'_> {
+    fn solve(self, block: &mut [f64]) {
+        match self {
+            Inverse::Free(factor) => factor.solve(block),
+            Inverse::Held(held) => drop(held.solve(block, &[])),
+        }
+    }
+
+    /// Of the space that images lie in.
+    pub(super) fn dimension(self, size: usize) -> usize {
+        match self {
+            Inverse::Free(_) => size,
+            Inverse::Held(held) => held.dimension(),
+        }
+    }
+
+    /// Takes a random vector into the space that images lie in.
+    fn bring(self, vector: &mut [f64]) {
+        if let Inverse::Held(held) = self {
+            held.solve(vector, &[]);
+        }
+    }
+}
+
 /// Blocks of vectors Q with Qᵀ M Q = I.
 pub(super) struct Basis<'a> {
     mass: &'a SymmetricMatrix,
-    factor: &'a Cholesky,
+    inverse: Inverse<'a>,
+    /// Of the space that the vectors lie in.
+    dimension: usize,
     /// Vectors one after another; the last block's images are not known yet.
     vectors: Vec<f64>,
     /// M times the last block.
@@ -28,11 +61,12 @@ pub(super) struct Basis<'a> {
 
 impl<'a> Basis<'a> {
     /// One block of random vectors, sent through the operator once.
-    pub(super) fn start(mass: &'a SymmetricMatrix, factor: &'a Cholesky, width: usize, most: usize) -> Self {
-        let empty = Vec::new();
-        let mut basis = Self { mass, factor, vectors: empty.clone(), heavy: empty, width: 0, most, seed: 1, solves: 0 };
+    pub(super) fn start(mass: &'a SymmetricMatrix, inverse: Inverse<'a>, width: usize, most: usize) -> Self {
+        let dimension = inverse.dimension(mass.size);
+        let (vectors, heavy) = (Vec::new(), Vec::new());
+        let mut basis = Self { mass, inverse, dimension, vectors, heavy, width: 0, most, seed: 1, solves: 0 };
         let mut block: Vec<f64> = (0..width * mass.size).map(|_| basis.random()).collect();
-        factor.solve(&mut block);
+        inverse.solve(&mut block);
         basis.append(block, width);
         basis
     }
@@ -54,13 +88,13 @@ impl<'a> Basis<'a> {
 
     /// No room for another block; a basis that may span everything is never full.
     pub(super) fn full(&self) -> bool {
-        self.most < self.mass.size && self.count() + self.width > self.most
+        self.most < self.dimension && self.count() + self.width > self.most
     }
 
     /// Applies the operator to the last block and appends what is new in the images as the next one.
     pub(super) fn extend(&mut self, projected: &mut Projected) {
         let mut images = std::mem::take(&mut self.heavy);
-        self.factor.solve(&mut images);
+        self.inverse.solve(&mut images);
         let width = self.width;
         self.solves += width;
         let (inside, outside) = self.append(images, width);
@@ -72,7 +106,7 @@ impl<'a> Basis<'a> {
     /// Twice, since what is left after the first time may be small, and then is neither orthogonal nor normal.
     fn append(&mut self, mut block: Vec<f64>, width: usize) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let (size, known) = (self.mass.size, self.count());
-        let room = width.min(size - known);
+        let room = width.min(self.dimension - known);
         let (mut inside, mut outside) = self.part(&mut block, width, room);
         block.truncate(room * size);
         let (correction, change) = self.part(&mut block, room, room);
@@ -154,6 +188,7 @@ impl<'a> Basis<'a> {
     fn replace(&mut self, own: &mut [f64], heavy: &mut [f64], done: &[f64], done_heavy: &[f64]) {
         let size = self.mass.size;
         own.iter_mut().for_each(|x| *x = self.random());
+        self.inverse.bring(own);
         for _ in 0..3 {
             self.mass.multiply(own, heavy);
             self.take_out(own, heavy, 1);

@@ -11,10 +11,10 @@ mod tests;
 
 use std::sync::Arc;
 
-use self::basis::Basis;
+use self::basis::{Basis, Inverse};
 use self::projected::Projected;
 use super::factor::Progress;
-use super::{Cholesky, Failure, Plan, SymmetricMatrix};
+use super::{Cholesky, Failure, Held, Plan, SymmetricMatrix};
 
 /// Eigenvalues and eigenvectors of K x = λ M x.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -92,20 +92,40 @@ impl Eigenproblem<'_> {
         count: usize,
         progress: Progress,
     ) -> Result<Eigenpairs, EigenFailure> {
-        let size = self.stiffness.size;
+        self.search(Inverse::Free(factor), shift, count, progress)
+    }
+
+    /// The `count` lowest eigenpairs of K x + Cᵀ μ = λ M x with C x = 0, for the constraints of `held` (as many as they leave, if
+    /// fewer). K may be singular where the constraints hold what it leaves free. The residuals are without what constraints
+    /// can hold.
+    ///
+    /// # Errors
+    /// When the iteration does not converge or `progress` returns false.
+    pub fn lowest_held(&self, held: &Held, count: usize, progress: Progress) -> Result<Eigenpairs, EigenFailure> {
+        self.search(Inverse::Held(held), 0.0, count, progress)
+    }
+
+    fn search(
+        &self,
+        inverse: Inverse,
+        shift: f64,
+        count: usize,
+        progress: Progress,
+    ) -> Result<Eigenpairs, EigenFailure> {
+        let size = inverse.dimension(self.stiffness.size);
         let count = count.min(size);
         if count == 0 {
             return Ok(Eigenpairs::default());
         }
         let most = (2 * count + 12 * BLOCK).min(size);
-        let mut basis = Basis::start(self.mass, factor, BLOCK.min(size), most);
+        let mut basis = Basis::start(self.mass, inverse, BLOCK.min(size), most);
         let mut projected = Projected::default();
         for _ in 0..RESTARTS {
             loop {
                 basis.extend(&mut projected);
                 let found = projected.converged(count, TOLERANCE);
                 if found == count || basis.complete() {
-                    return Ok(self.collect(&basis, &projected, shift, count));
+                    return Ok(self.collect(&basis, &projected, inverse, shift, count));
                 }
                 if !progress(found as f64 / count as f64) {
                     return Err(EigenFailure::Factor(Failure::Interrupted));
@@ -119,7 +139,7 @@ impl Eigenproblem<'_> {
         Err(EigenFailure::NotConverged { found: projected.converged(count, TOLERANCE) })
     }
 
-    fn collect(&self, basis: &Basis, projected: &Projected, shift: f64, count: usize) -> Eigenpairs {
+    fn collect(&self, basis: &Basis, projected: &Projected, inverse: Inverse, shift: f64, count: usize) -> Eigenpairs {
         let vectors = basis.combine(&projected.leading(count), count);
         let size = self.stiffness.size;
         let (mut stiff, mut heavy) = (vec![0.0; vectors.len()], vec![0.0; vectors.len()]);
@@ -130,9 +150,12 @@ impl Eigenproblem<'_> {
         for (x, (kx, mx)) in columns {
             let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let value = dot(x, kx) / dot(x, mx);
-            let left = kx.iter().zip(mx).map(|(k, m)| (k - value * m).powi(2)).sum::<f64>().sqrt();
+            let mut left: Vec<f64> = kx.iter().zip(mx).map(|(k, m)| k - value * m).collect();
+            if let Inverse::Held(held) = inverse {
+                held.without_held(&mut left);
+            }
             pairs.values.push(value);
-            pairs.residuals.push(left / ((value - shift).abs() * dot(mx, mx).sqrt()));
+            pairs.residuals.push(dot(&left, &left).sqrt() / ((value - shift).abs() * dot(mx, mx).sqrt()));
         }
         pairs
     }

@@ -2,6 +2,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::*;
+use crate::linalg::dense;
 use crate::linalg::sparse::tests::{Numbers, go_on, matrix};
 
 fn lowest(stiffness: &SymmetricMatrix, mass: &SymmetricMatrix, count: usize) -> Eigenpairs {
@@ -131,4 +132,72 @@ fn the_search_stops_when_asked() {
     let problem = Eigenproblem { stiffness: &stiffness, mass: &mass };
     let result = problem.lowest(&plan, 20, 1, &|share| share < 0.51);
     assert_eq!(result, Err(EigenFailure::Factor(Failure::Interrupted)));
+}
+
+/// Under constraints, the eigenpairs are those of the matrices in a basis of what the constraints leave; a chain that
+/// nothing else holds, held by three sums of its places.
+#[test]
+fn constraints_leave_the_eigenpairs_of_what_they_leave() {
+    let size = 40;
+    let mut numbers = Numbers(11);
+    let (k, m) = (chain(size, 3.1, false), diagonal((0..size).map(|i| 0.5 + 0.02 * i as f64)));
+    let constraints: Vec<f64> = (0..3 * size).map(|_| numbers.next()).collect();
+    let sprung = k.plus(1.0, &matrix(size, &[(7, 7, 2.0)]));
+    let factor = Cholesky::factor(Arc::new(Plan::new(&sprung)), &sprung, 1, &go_on).expect("held by a spring");
+    let held = Held::new(&factor, constraints.clone(), vec![1.0; size]).expect("independent");
+    assert_eq!(held.dimension(), size - 3);
+    let rows: Vec<Vec<f64>> = constraints.chunks(size).map(<[f64]>::to_vec).collect();
+    let unit: Vec<Vec<f64>> = (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+    let basis = dense::complement(&unit, &rows);
+    let projected = |a: &SymmetricMatrix| -> Vec<Vec<f64>> {
+        let image = |x: &Vec<f64>| {
+            let mut y = vec![0.0; size];
+            a.multiply(x, &mut y);
+            basis.iter().map(|b| b.iter().zip(&y).map(|(b, y)| b * y).sum()).collect()
+        };
+        basis.iter().map(image).collect()
+    };
+    let (expected, _) = dense::generalized_eigen(&projected(&k), &projected(&m)).expect("definite");
+    let problem = Eigenproblem { stiffness: &k, mass: &m };
+    for count in [1, 5, 37, 99] {
+        let pairs = problem.lowest_held(&held, count, &go_on).expect("eigenpairs");
+        assert_eq!(pairs.values.len(), count.min(37));
+        for (value, expected) in pairs.values.iter().zip(&expected) {
+            assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+        }
+        assert!(pairs.residuals.iter().all(|&r| r < 1e-7), "{:?}", pairs.residuals);
+        for x in pairs.vectors.chunks_exact(size) {
+            assert!(rows.iter().all(|c| c.iter().zip(x).map(|(c, x)| c * x).sum::<f64>().abs() < 1e-9));
+        }
+    }
+    assert!(Held::new(&factor, [&constraints[..size], &constraints[..size]].concat(), vec![1.0; size]).is_none());
+}
+
+/// A system under constraints, with displacements that are wanted and forces that are not in balance.
+#[test]
+fn constraints_are_met_and_their_forces_balance() {
+    let size = 25;
+    let mut numbers = Numbers(5);
+    let k = chain(size, 1.7, false);
+    let sprung = k.plus(1.0, &matrix(size, &[(0, 0, 1.3)]));
+    let factor = Cholesky::factor(Arc::new(Plan::new(&sprung)), &sprung, 1, &go_on).expect("held by a spring");
+    let c: Vec<f64> = (0..2 * size).map(|_| numbers.next()).collect();
+    let held = Held::new(&factor, c.clone(), vec![1.0; size]).expect("independent");
+    let forces: Vec<f64> = (0..2 * size).map(|_| numbers.next()).collect();
+    let wanted = [0.3, -0.7, 1.1, 0.2];
+    let mut u = forces.clone();
+    let multipliers = held.solve(&mut u, &wanted);
+    let mut balance = vec![0.0; u.len()];
+    k.multiply(&u, &mut balance);
+    for case in 0..2 {
+        let own = case * size..(case + 1) * size;
+        for (i, row) in c.chunks(size).enumerate() {
+            let moved: f64 = row.iter().zip(&u[own.clone()]).map(|(c, u)| c * u).sum();
+            assert!((moved - wanted[2 * case + i]).abs() < 1e-12);
+        }
+        for (k, at) in own.enumerate() {
+            let tied = c[k] * multipliers[2 * case] + c[size + k] * multipliers[2 * case + 1];
+            assert!((balance[at] + tied - forces[at]).abs() < 1e-11, "{case} {k}");
+        }
+    }
 }
