@@ -35,15 +35,23 @@ impl<T: Real> ShapeIntegrals<T> {
 
     /// Mass `dm` at x that moves by φ: any number of these sums up to the integrals.
     pub fn add(&mut self, dm: T, x: &[T; 3], phi: &[[T; 3]]) {
-        let n = self.coordinates();
         self.mass += dm;
         add_scaled(&mut self.first, dm, x);
-        add_outer(&mut self.second, dm, x, x);
+        for (flow, phi_e) in self.flow.iter_mut().zip(phi) {
+            add_scaled(flow, dm, phi_e);
+        }
+        self.add_spread(dm, x, phi);
+    }
+
+    /// Second moment `j` of mass that lies evenly on both sides of where it was added, along `x`, and moves by φ for each
+    /// unit of distance: adds to the integrals of second order only.
+    pub(crate) fn add_spread(&mut self, j: T, x: &[T; 3], phi: &[[T; 3]]) {
+        let n = self.coordinates();
+        add_outer(&mut self.second, j, x, x);
         for (e, phi_e) in phi.iter().enumerate() {
-            add_scaled(&mut self.flow[e], dm, phi_e);
-            add_outer(&mut self.placed[e], dm, x, phi_e);
+            add_outer(&mut self.placed[e], j, x, phi_e);
             for (f, phi_f) in phi.iter().enumerate() {
-                add_outer(&mut self.products[e * n + f], dm, phi_e, phi_f);
+                add_outer(&mut self.products[e * n + f], j, phi_e, phi_f);
             }
         }
     }

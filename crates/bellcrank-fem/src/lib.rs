@@ -9,6 +9,7 @@
 mod adapt;
 mod assemble;
 mod balance;
+pub mod beam;
 mod check;
 mod element;
 mod fault;

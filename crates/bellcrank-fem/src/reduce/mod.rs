@@ -11,6 +11,7 @@ mod problem;
 mod products;
 mod stress;
 
+pub(crate) use free::damping;
 pub use free::natural_frequencies;
 pub use matrices::{ReducedMatrices, reduce_matrices};
 pub use stress::stress;

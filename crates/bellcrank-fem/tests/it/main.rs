@@ -1,10 +1,13 @@
 //! Tests of linear elasticity against closed forms, published cases and identities.
 
+mod beams;
 mod calculix;
+mod chains;
 mod convergence;
 mod grids;
 mod patch;
 mod published;
 mod reduction;
+mod sections;
 mod supports;
 mod vibration;
