@@ -50,6 +50,7 @@ pub(crate) fn refresh<S: Space>(mech: &mut Mechanism<S>, blueprint: &Blueprint<S
         (coupling.ratio, coupling.offset) = (*ratio, *offset);
     }
     mech.elements = crate::forces::elements_of(blueprint, &mech.bodies, &mech.sources)?;
+    mech.flexible = crate::flexible::deforming_of(blueprint, &mech.bodies, &mech.sources)?;
     mech.gravity = S::vector(&blueprint.gravity);
     mech.size = typical_size(blueprint);
     Ok(true)
@@ -244,6 +245,7 @@ impl<'a, S: Space> Builder<'a, S> {
             }
         }
         let elements = crate::forces::elements_of(self.blueprint, &bodies, &sources)?;
+        let flexible = crate::flexible::deforming_of(self.blueprint, &bodies, &sources)?;
         Ok(Mechanism {
             tree,
             gravity: S::vector(&self.blueprint.gravity),
@@ -258,6 +260,7 @@ impl<'a, S: Space> Builder<'a, S> {
             couplings,
             sources,
             elements,
+            flexible,
             nq: self.nq,
             nv: self.nv,
             link_rows,

@@ -21,6 +21,7 @@ pub(crate) fn own_wrenches<S: Space>(mech: &Mechanism<S>, x: &mut [NodeState<S>]
             x.own_n += n + S::moment(c, f);
         }
     }
+    crate::flexible::add_demands(mech, x);
 }
 
 /// Sums the demands that `f`, `n` hold toward the root.
@@ -39,6 +40,9 @@ pub(crate) fn gather<S: Space>(mech: &Mechanism<S>, x: &mut [NodeState<S>]) {
 pub(crate) fn project<S: Space>(mech: &Mechanism<S>, x: &[NodeState<S>], tau: &mut [S::T]) {
     for (node, x) in mech.nodes.iter().zip(x).skip(1) {
         project_node(node, x, tau);
+    }
+    for i in mech.flexible.iter().flat_map(|body| &body.nodes) {
+        tau[mech.nodes[*i].v] += x[*i].own_t;
     }
 }
 

@@ -25,6 +25,8 @@ pub enum BuildError {
     Dangling(JointId),
     /// A coordinate used by a force element that does not exist.
     NoCoordinate(Coordinate),
+    /// A flexible body whose joints are not in the tree, or whose lists have not one entry a coordinate.
+    Flexible(crate::BodyId),
     /// A coordinate that cannot be coupled, driven or sprung alone: one of three angles of a spherical joint.
     Attitude(Coordinate),
 }

@@ -16,6 +16,7 @@ pub(crate) fn positions<S: Space>(mech: &Mechanism<S>, q: &[S::T], x: &mut [Node
         let (before, rest) = x.split_at_mut(i);
         place(node, q, &before[node.parent], &mut rest[0]);
     }
+    note(mech, x, 0, q, |node| node.q);
 }
 
 #[inline(always)]
@@ -75,6 +76,7 @@ pub(crate) fn velocities<S: Space>(mech: &Mechanism<S>, v: &[S::T], x: &mut [Nod
             Motion::Ball => x.w += ball_spin(node, v, &x.base),
         }
     }
+    note(mech, x, 1, v, |node| node.v);
 }
 
 /// Accelerations from joint accelerations `a` (nv), or from velocities alone (`None`).
@@ -102,6 +104,27 @@ pub(crate) fn accelerations<S: Space>(mech: &Mechanism<S>, v: &[S::T], a: Option
             }
         }
     }
+    match a {
+        Some(a) => note(mech, x, 2, a, |node| node.v),
+        None => deforming(mech).for_each(|i| x[i].deform[2] = S::T::zero()),
+    }
+}
+
+/// Nodes of the coordinates of flexible bodies.
+fn deforming<S: Space>(mech: &Mechanism<S>) -> impl Iterator<Item = usize> + '_ {
+    mech.flexible.iter().flat_map(|body| body.nodes.iter().copied())
+}
+
+/// Keeps a number of each coordinate of the flexible bodies, where their inertia looks for it.
+#[inline]
+fn note<S: Space>(
+    mech: &Mechanism<S>,
+    x: &mut [NodeState<S>],
+    order: usize,
+    numbers: &[S::T],
+    at: impl Fn(&Node<S>) -> usize,
+) {
+    deforming(mech).for_each(|i| x[i].deform[order] = numbers[at(&mech.nodes[i])]);
 }
 
 #[inline(always)]

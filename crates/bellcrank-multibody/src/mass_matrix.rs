@@ -3,6 +3,7 @@
 //! World axes, references at the nodes' origins, as everywhere in this crate. Only the entries between a motion and
 //! those it hangs on are there: between branches M is zero.
 
+use crate::flexible::{Deforming, each_projection};
 use crate::mechanism::{Inertia, Mechanism};
 use crate::topology::Motion;
 use crate::workspace::NodeState;
@@ -32,7 +33,36 @@ impl<S: Space> Composite<S> {
     }
 }
 
-/// The lower triangle of M, entry by entry.
+impl<S: Space> Composite<S> {
+    /// Adds a flexible body in its present shape, given by first moment and inertia about its frame, body axes.
+    fn join(&mut self, body: &Deforming<S>, x: &NodeState<S>, (first, tensor): ([S::T; 3], [[S::T; 3]; 3])) {
+        let frame = x.frame(&body.frame);
+        let (mass, arm) = (body.data.inertia.mass, frame.origin - x.p);
+        let first = S::rotate(&frame.rotation, S::vector(&first));
+        let tensor = S::turn_inertia(&S::inertia(&tensor), &frame.rotation);
+        let moved = S::moved_inertia(mass, first, arm);
+        self.mass += mass;
+        self.first += first + arm * mass;
+        self.second = S::add_inertia(&self.second, &S::add_inertia(&tensor, &moved));
+    }
+}
+
+/// Pairs of velocity components in the order of [`MassMatrix::deform`].
+fn body_entries<S: Space>(mech: &Mechanism<S>, body: &Deforming<S>) -> Vec<(usize, usize)> {
+    let carried: Vec<usize> = std::iter::once(body.node)
+        .filter(|&at| at != 0)
+        .chain(ancestors(mech, body.node))
+        .flat_map(|at| mech.nodes[at].v..mech.nodes[at].v + mech.nodes[at].motion.dofs())
+        .collect();
+    let component = |e: usize| mech.nodes[body.nodes[e]].v;
+    let with = |e: usize| {
+        let among = (0..=e).map(move |l| (component(e), component(l)));
+        carried.iter().map(move |&u| (component(e), u)).chain(among).collect::<Vec<_>>()
+    };
+    (0..body.count()).flat_map(with).collect()
+}
+
+/// The lower triangle of M, entry by entry; entries of the same place add up.
 #[derive(Clone, Debug)]
 pub(crate) struct MassMatrix<S: Space> {
     composite: Vec<Composite<S>>,
@@ -53,6 +83,9 @@ impl<S: Space> MassMatrix<S> {
                     entries.extend((up.v..up.v + up.motion.dofs()).map(|u| (v, u)));
                 }
             }
+        }
+        for body in &mech.flexible {
+            entries.extend(body_entries(mech, body));
         }
         let values = vec![S::T::zero(); entries.len()];
         Self { composite: vec![Composite::nothing(); mech.nodes.len()], entries, values }
@@ -85,6 +118,25 @@ impl<S: Space> MassMatrix<S> {
                 }
             }
         }
+        self.deform(mech, x, k);
+    }
+
+    /// What flexible bodies add: of each coordinate with the motions of the floating frame, and among themselves.
+    fn deform(&mut self, mech: &Mechanism<S>, x: &[NodeState<S>], mut k: usize) {
+        for body in &mech.flexible {
+            for (e, &node) in body.nodes.iter().enumerate() {
+                let own = mech.nodes[node].v;
+                each_projection(mech, x, body.node, body.push(x, e), |v, value| {
+                    // A coordinate that carries the frame, too, meets itself.
+                    self.values[k] = if v == own { value + value } else { value };
+                    k += 1;
+                });
+                for l in 0..=e {
+                    self.values[k] = body.mass[e * body.count() + l];
+                    k += 1;
+                }
+            }
+        }
     }
 
     fn compose(&mut self, mech: &Mechanism<S>, x: &[NodeState<S>]) {
@@ -98,6 +150,9 @@ impl<S: Space> MassMatrix<S> {
                     Composite { mass: body.mass, first: r * body.mass, second: S::add_inertia(&about_center, &moved) }
                 }
             };
+        }
+        for body in &mech.flexible {
+            self.composite[body.node].join(body, &x[body.node], body.rigid(x));
         }
         for i in (1..mech.nodes.len()).rev() {
             let child = self.composite[i];

@@ -1,6 +1,7 @@
 //! A mechanism, frozen: the tree of elementary motions and the links that measure and close.
 
 use crate::constraint::{Link, Measure, RowKind};
+use crate::flexible::Deforming;
 use crate::forces::Element;
 use crate::topology::{Branch, Motion};
 use crate::{Blueprint, BuildError, Coordinate, JointId};
@@ -90,6 +91,7 @@ pub struct Mechanism<S: Space> {
     pub(crate) couplings: Vec<Coupling<S::T>>,
     pub(crate) sources: Vec<Vec<Source>>,
     pub(crate) elements: Vec<Element<S>>,
+    pub(crate) flexible: Vec<Deforming<S>>,
     pub(crate) nq: usize,
     pub(crate) nv: usize,
     /// Rows of all closing links.

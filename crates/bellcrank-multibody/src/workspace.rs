@@ -1,6 +1,6 @@
 //! What is computed at one position, a slot a node. World axes; references at the node's origin.
 
-use bellcrank_math::{Frame, Space};
+use bellcrank_math::{Frame, Real, Space};
 
 /// Kinematic and force quantities of one node.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +31,11 @@ pub(crate) struct NodeState<S: Space> {
     /// Inertia less applied wrench of this node alone.
     pub(crate) own_f: S::Vector,
     pub(crate) own_n: S::Angular,
+    /// Of a flexible body's coordinate: its value, rate and second rate, second-order displacement, and what inertia
+    /// asks along it beside the wrenches. Zero of other nodes.
+    pub(crate) deform: [S::T; 3],
+    pub(crate) shortening: S::T,
+    pub(crate) own_t: S::T,
 }
 
 impl<S: Space> Default for NodeState<S> {
@@ -54,6 +59,9 @@ impl<S: Space> Default for NodeState<S> {
             n: a,
             own_f: o,
             own_n: a,
+            deform: [S::T::zero(); 3],
+            shortening: S::T::zero(),
+            own_t: S::T::zero(),
         }
     }
 }

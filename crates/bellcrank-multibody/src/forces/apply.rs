@@ -106,6 +106,7 @@ pub(crate) fn apply_all<S: Space>(
     for (element, out) in now.mech.elements.iter().zip(outputs) {
         *out = apply_one(now, element, x, efforts);
     }
+    crate::flexible::add_efforts(now.mech, x, efforts);
 }
 
 fn apply_one<S: Space>(

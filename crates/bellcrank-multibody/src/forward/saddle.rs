@@ -136,6 +136,11 @@ impl Saddle {
         for node in mech.nodes.iter().filter(|n| matches!(n.motion, Motion::Slide)) {
             system.column_scale[node.v] = length;
         }
+        for body in &mech.flexible {
+            for (&node, metre) in body.nodes.iter().zip(&body.metre) {
+                system.column_scale[mech.nodes[node].v] = length * metre;
+            }
+        }
         system.mass = mass.entries.iter().map(|&(i, j)| (system.free[i], system.free[j])).collect();
         rows.each_of_links(mech, |row, v, _| system.blocks.push((row, v)));
         system.arrange(mech, rows, n, size);

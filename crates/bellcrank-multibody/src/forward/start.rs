@@ -91,7 +91,8 @@ impl<S: Space<T = f64>> Machine<S> {
     fn long_tree(&self, driven: &[Source]) -> Option<Articulated> {
         let locks = self.mech.elements.iter().any(|e| source_of(e).is_some());
         let measured = driven.iter().any(|s| matches!(s, Source::Measured { .. }));
-        if self.mech.nv <= LONG || self.mech.rows() > 0 || locks || measured {
+        let deforms = !self.mech.flexible.is_empty();
+        if self.mech.nv <= LONG || self.mech.rows() > 0 || locks || measured || deforms {
             return None;
         }
         let prescribed: Vec<usize> = driven.iter().filter_map(|s| self.component_of(*s)).collect();

@@ -44,14 +44,20 @@ impl<S: Space<T = f64>> Machine<S> {
         }
     }
 
-    /// Units of the error of each number of y: 1 rad, the machine's size, and they a second; 0 for what is
-    /// prescribed.
+    /// Units of the error of each number of y: 1 rad, the machine's size, and they a second; of deformations those of a
+    /// strained body; 0 for what is prescribed.
     pub(crate) fn error_units(&self, f: &mut Flight<S>) {
         let nq = self.mech.nq;
         for node in &self.mech.nodes[1..] {
             let unit = if node.motion == Motion::Slide { self.mech.size.max(1e-9) } else { 1.0 };
             f.step.unit[node.q..node.q + node.motion.numbers()].fill(unit);
             f.step.unit[nq + node.v..nq + node.v + node.motion.dofs()].fill(unit);
+        }
+        for body in &self.mech.flexible {
+            for (e, &node) in body.nodes.iter().enumerate() {
+                let node = &self.mech.nodes[node];
+                [f.step.unit[node.q], f.step.unit[nq + node.v]] = body.error_units(e, self.mech.size);
+            }
         }
         for p in &f.saddle.prescribed {
             if let crate::solver::Prescribed::Node(n) = p {

@@ -5,9 +5,12 @@
 //! half of what the passes in world axes do, which the loops need. Vectors are classical (acceleration of the node's
 //! origin, not spatial acceleration); gravity is an acceleration of the ground upward.
 
+use crate::mass_matrix::MassMatrix;
 use crate::mechanism::{Mechanism, Node};
 use crate::solver::Machine;
 use crate::topology::Motion;
+use crate::workspace::NodeState;
+use crate::{dynamics, kinematics};
 use bellcrank_math::{Real, Space};
 
 #[cfg(test)]
@@ -334,7 +337,11 @@ impl<S: Space<T = f64>> Machine<S> {
     /// # Panics
     /// Where a slice is shorter than it has to be.
     pub fn inverse_dynamics(&mut self, q: &[f64], v: &[f64], a: &[f64], tau: &mut [f64]) {
-        self.recursions().inverse_dynamics(q, v, a, tau);
+        if self.mech.flexible.is_empty() {
+            self.recursions().inverse_dynamics(q, v, a, tau);
+        } else {
+            self.inverse_dynamics_in_world(q, v, a, tau);
+        }
     }
 
     /// Mass matrix `m` (nv × nv, symmetric; kg, kg·m, kg·m²) over the tree's velocity components at `q` (nq): twice
@@ -345,7 +352,38 @@ impl<S: Space<T = f64>> Machine<S> {
     /// # Panics
     /// Where a slice is shorter than it has to be.
     pub fn mass_matrix(&mut self, q: &[f64], m: &mut [f64]) {
-        self.recursions().mass_matrix(q, m);
+        if self.mech.flexible.is_empty() {
+            self.recursions().mass_matrix(q, m);
+        } else {
+            self.masses_in_world(q, m);
+        }
+    }
+
+    /// The same with flexible bodies, which only the passes in world axes know; elastic forces are not counted.
+    fn inverse_dynamics_in_world(&self, q: &[f64], v: &[f64], a: &[f64], tau: &mut [f64]) {
+        let mut x = vec![NodeState::default(); self.mech.nodes.len()];
+        kinematics::positions(&self.mech, q, &mut x);
+        kinematics::velocities(&self.mech, v, &mut x);
+        kinematics::accelerations(&self.mech, v, Some(a), &mut x);
+        dynamics::own_wrenches(&self.mech, &mut x);
+        x.iter_mut().for_each(|x| (x.f, x.n) = (x.own_f, x.own_n));
+        dynamics::gather(&self.mech, &mut x);
+        dynamics::project(&self.mech, &x, tau);
+    }
+
+    fn masses_in_world(&self, q: &[f64], m: &mut [f64]) {
+        let mut x = vec![NodeState::default(); self.mech.nodes.len()];
+        kinematics::positions(&self.mech, q, &mut x);
+        let mut masses = MassMatrix::new(&self.mech);
+        masses.evaluate(&self.mech, &x);
+        m.fill(0.0);
+        let nv = self.mech.nv;
+        for (&(i, j), value) in masses.entries.iter().zip(&masses.values) {
+            m[i * nv + j] += value;
+            if i != j {
+                m[j * nv + i] += value;
+            }
+        }
     }
 
     fn recursions(&mut self) -> &mut Recursions<S> {

@@ -6,6 +6,7 @@
 
 use super::machine::{Machine, Stage};
 use super::unknowns::Prescribed;
+use crate::flexible::{Carriage, Deforming};
 use crate::forces::{Element, read};
 use crate::workspace::NodeState;
 use crate::{Checks, kinematics};
@@ -94,6 +95,17 @@ impl<S: Space<T = f64>> Machine<S> {
             sum.add_product(x.ext_f, dx.v);
             sum.add_product(x.ext_n, dx.w);
         }
+        self.mech.flexible.iter().for_each(|body| self.add_flexible_powers(body, virtual_x, sum));
+    }
+
+    fn add_flexible_powers(&self, body: &Deforming<S>, virtual_x: &[NodeState<S>], sum: &mut Sum) {
+        let mut carriage = Carriage::new(&self.mech, body, &self.x);
+        for e in 0..body.count() {
+            sum.add_number(-carriage.take(body, &self.x, e) * body.motion(virtual_x, e)[1]);
+        }
+        let ((f, n), dx) = (carriage.demand(body), &virtual_x[body.node]);
+        sum.add_product(-f, dx.v);
+        sum.add_product(-n, dx.w);
     }
 
     fn add_effort_powers(&self, v: &[f64], x: &[NodeState<S>], sum: &mut Sum) {

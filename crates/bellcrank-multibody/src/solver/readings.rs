@@ -1,6 +1,7 @@
 //! Answers of a solved position, over any scalar.
 
 use crate::constraint::Measure;
+use crate::flexible::Deforming;
 use crate::forces::{Element, Output};
 use crate::mechanism::{Mechanism, Source};
 use crate::workspace::NodeState;
@@ -60,13 +61,22 @@ impl<S: Space> Solved<'_, S> {
         let x = &self.x[carried.node];
         let (origin, rotation) = x.frame(&carried.frame).to_spatial();
         let p = x.p + S::rotate(&x.R, carried.center);
-        BodyMotion {
-            origin,
-            rotation,
-            omega: S::spread_angular(x.w),
-            alpha: S::spread_angular(x.wd),
-            center: motion_of::<S>(p, x.at(p)),
-        }
+        let deforming = self.mech.flexible.iter().find(|flexible| flexible.data.body == body);
+        let center = deforming.map_or_else(|| motion_of::<S>(p, x.at(p)), |body| self.deformed_center(body));
+        BodyMotion { origin, rotation, omega: S::spread_angular(x.w), alpha: S::spread_angular(x.wd), center }
+    }
+
+    /// Motion of the centre of mass of a flexible body.
+    fn deformed_center(&self, body: &Deforming<S>) -> PointMotion<S::T> {
+        let x = &self.x[body.node];
+        let frame = x.frame(&body.frame);
+        let per_mass = S::T::one() / body.data.inertia.mass;
+        let [place, rate, second] =
+            body.flowed(self.x).map(|sum| S::rotate(&frame.rotation, S::vector(&sum)) * per_mass);
+        let p = frame.origin + place;
+        let (v, a) = x.at(p);
+        let coriolis = S::cross(x.w, rate) * S::T::from_f64(2.0);
+        motion_of::<S>(p, (v + rate, a + second + coriolis))
     }
 
     pub(crate) fn reaction(&self, joint: JointId) -> Wrench<S::T> {
@@ -97,6 +107,13 @@ impl<S: Space> Solved<'_, S> {
                 energy.kinetic += half * (body.mass * v.dot(v) + x.w.dot(h));
                 energy.potential -= body.mass * self.mech.gravity.dot(p);
             }
+        }
+        for body in &self.mech.flexible {
+            let frame = self.x[body.node].frame(&body.frame);
+            let first = S::rotate(&frame.rotation, S::vector(&body.rigid(self.x).0));
+            let raised = frame.origin * body.data.inertia.mass + first;
+            energy.kinetic += body.kinetic(self.x);
+            energy.potential += body.elastic(self.x) - self.mech.gravity.dot(raised);
         }
         energy
     }

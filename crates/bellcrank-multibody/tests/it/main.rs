@@ -6,6 +6,7 @@ mod arm;
 mod build;
 mod chain;
 mod events;
+mod flexible;
 mod forward;
 mod lift;
 mod machines;

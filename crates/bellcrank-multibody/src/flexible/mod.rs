@@ -9,7 +9,15 @@
 //! All that motion needs are integrals of products of places and shapes over the mass (the nodal-based mass coupling
 //! of Zwölfer & Gerstmayr 2021 written with integrals that are taken once).
 
+mod deforming;
+mod inertia;
+mod strain;
+
 use crate::{BodyId, JointId};
+
+pub(crate) use deforming::{Deforming, deforming_of};
+pub(crate) use inertia::{Carriage, add_demands, each_projection};
+pub(crate) use strain::add_efforts;
 
 /// A flexible body; n coordinates.
 #[derive(Clone, Debug, PartialEq)]

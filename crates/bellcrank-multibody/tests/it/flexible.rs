@@ -1,0 +1,266 @@
+//! Flexible bodies against sums over their particles: places differenced, no integral shared with the crate.
+
+use crate::build::*;
+use crate::random::Dice;
+use bellcrank_multibody::{
+    Actuation, Blueprint, Body, BodyId, Coordinate, Engine, Flexible, JointId, JointKind, Place, ShapeInertia,
+    Shortening, engine_for,
+};
+
+type Vec3 = [f64; 3];
+
+/// A particle of a flexible body: mass, place, and its displacement by each coordinate.
+struct Particle {
+    mass: f64,
+    at: Vec3,
+    shapes: Vec<Vec3>,
+}
+
+/// A machine whose flexible body is known particle by particle.
+struct Sample {
+    blueprint: Blueprint<f64>,
+    particles: Vec<Particle>,
+    /// Of the rigid body that hangs on the interface.
+    child: Vec<(f64, Vec3)>,
+    /// The elastic coordinates, and all coordinates of the tree in the order they are driven in.
+    elastic: Vec<Coordinate>,
+    all: Vec<Coordinate>,
+}
+
+const FLEXIBLE: BodyId = BodyId(1);
+const INTERFACE: BodyId = BodyId(2);
+const MODES: BodyId = BodyId(3);
+const CHILD: BodyId = BodyId(4);
+const GRAVITY: Vec3 = [1.3, -9.1, 2.2];
+
+fn particles(dice: &mut Dice, planar: bool, coordinates: usize) -> Vec<Particle> {
+    let mut vector = |size: f64| {
+        let z = if planar { 0.0 } else { dice.within(-size, size) };
+        [dice.within(-size, size), dice.within(-size, size), z]
+    };
+    (0..9)
+        .map(|i| Particle {
+            mass: 0.2 + 0.1 * f64::from(i),
+            at: vector(0.7),
+            shapes: (0..coordinates).map(|_| vector(0.8)).collect(),
+        })
+        .collect()
+}
+
+fn outer(a: Vec3, b: Vec3, k: f64) -> [Vec3; 3] {
+    a.map(|a| b.map(|b| k * a * b))
+}
+
+fn sum(all: impl Iterator<Item = [Vec3; 3]>) -> [Vec3; 3] {
+    let mut total = [[0.0; 3]; 3];
+    for one in all {
+        (0..3).for_each(|i| (0..3).for_each(|k| total[i][k] += one[i][k]));
+    }
+    total
+}
+
+fn integrals(particles: &[Particle], n: usize) -> ShapeInertia<f64> {
+    let weigh = |of: &dyn Fn(&Particle) -> Vec3| {
+        let mut total = [0.0; 3];
+        particles.iter().for_each(|p| (0..3).for_each(|i| total[i] += p.mass * of(p)[i]));
+        total
+    };
+    let square = |a: &dyn Fn(&Particle) -> Vec3, b: &dyn Fn(&Particle) -> Vec3| {
+        sum(particles.iter().map(|p| outer(a(p), b(p), p.mass)))
+    };
+    ShapeInertia {
+        mass: particles.iter().map(|p| p.mass).sum(),
+        first: weigh(&|p| p.at),
+        second: square(&|p| p.at, &|p| p.at),
+        flow: (0..n).map(|e| weigh(&|p| p.shapes[e])).collect(),
+        placed: (0..n).map(|e| square(&|p| p.at, &|p| p.shapes[e])).collect(),
+        products: (0..n * n).map(|k| square(&|p| p.shapes[k / n], &|p| p.shapes[k % n])).collect(),
+    }
+}
+
+/// Symmetric and positive: `s (B Bᵀ + 1)`.
+fn positive(dice: &mut Dice, n: usize, size: f64) -> Vec<f64> {
+    let b: Vec<f64> = (0..n * n).map(|_| dice.within(-0.5, 0.5)).collect();
+    let entry = |i: usize, j: usize| (0..n).map(|k| b[i * n + k] * b[j * n + k]).sum::<f64>() + f64::from(i == j);
+    (0..n * n).map(|k| size * entry(k / n, k % n)).collect()
+}
+
+impl Sample {
+    /// With `reversed` the ground holds the interface, and the floating frame hangs on it.
+    fn new(seed: u64, planar: bool, reversed: bool) -> Self {
+        let mut dice = Dice::new(seed);
+        let (six, modes) = (if planar { 3 } else { 6 }, 2);
+        let n = six + modes;
+        let particles = particles(&mut dice, planar, n);
+        let point = |x: f64, y: f64, z: f64| [x, y, if planar { 0.0 } else { z }];
+        let place = |body: BodyId, position: Vec3| Place { body, position, rotation: UPRIGHT };
+        let axis = if planar { Z } else { [0.3, -0.4, 0.8] };
+        let (held, hangs) = if reversed { (INTERFACE, FLEXIBLE) } else { (FLEXIBLE, INTERFACE) };
+        let joints = vec![
+            joint(JointKind::Revolute { axis }, place(BodyId(0), point(0.2, 0.1, -0.3)), place(held, point(0.1, 0.2, 0.1))),
+            joint(JointKind::Elastic, place(FLEXIBLE, point(0.5, -0.3, 0.2)), place(INTERFACE, [0.0; 3])),
+            joint(JointKind::Modes { count: modes }, place(FLEXIBLE, [0.0; 3]), place(MODES, [0.0; 3])),
+            joint(JointKind::Revolute { axis: Z }, place(hangs, point(-0.1, 0.15, 0.05)), place(CHILD, point(0.2, -0.1, 0.3))),
+        ];
+        let child: Vec<(f64, Vec3)> =
+            (0..5).map(|i| (0.3 + 0.1 * f64::from(i), point(dice.within(-0.4, 0.4), dice.within(-0.4, 0.4), 0.3))).collect();
+        let massless = Body { mass: 0.0, center: [0.0; 3], inertia: [[0.0; 3]; 3] };
+        let bodies = vec![massless.clone(), massless.clone(), massless, rigid(&child)];
+        let gravity = if planar { [GRAVITY[0], GRAVITY[1], 0.0] } else { GRAVITY };
+        let mut blueprint = blueprint(gravity, bodies, joints, Vec::new());
+        blueprint.flexible = vec![Flexible {
+            body: FLEXIBLE,
+            interfaces: vec![JointId(1)],
+            modes: Some(JointId(2)),
+            inertia: integrals(&particles, n),
+            stiffness: positive(&mut dice, n, 900.0),
+            damping: positive(&mut dice, n, 3.0),
+            shortenings: vec![Shortening { along: 0, matrix: positive(&mut dice, n, 0.7) }],
+        }];
+        let c = |joint: usize, index: usize| Coordinate { joint: JointId(joint), index };
+        let elastic: Vec<Coordinate> = (0..six).map(|i| c(1, i)).chain((0..modes).map(|i| c(2, i))).collect();
+        let all = [c(0, 0), c(3, 0)].into_iter().chain(elastic.iter().copied()).collect();
+        Self { blueprint, particles, child, elastic, all }
+    }
+
+    fn engine(&self, planar: bool) -> Box<dyn Engine> {
+        let mut engine = engine_for(planar, &self.blueprint).unwrap();
+        engine.assemble(&[]).unwrap();
+        let all = self.all.clone();
+        engine.prepare(&Actuation { position: all.clone(), rate: all.clone(), effort: all }).unwrap();
+        engine
+    }
+
+    /// Masses and places of all particles, world axes.
+    fn places(&self, engine: &mut dyn Engine, q: &[f64]) -> Vec<(f64, Vec3)> {
+        engine.move_to(0.0, q).unwrap();
+        let world = |body: BodyId, at: Vec3| engine.point(body, at).position;
+        let deformation: Vec<f64> = self.elastic.iter().map(|c| engine.coordinate(*c).position).collect();
+        let moved = |p: &Particle| {
+            std::array::from_fn(|i| p.at[i] + p.shapes.iter().zip(&deformation).map(|(s, d)| s[i] * d).sum::<f64>())
+        };
+        let flexible = self.particles.iter().map(|p| (p.mass, world(FLEXIBLE, moved(p))));
+        flexible.chain(self.child.iter().map(|(m, at)| (*m, world(CHILD, *at)))).collect()
+    }
+
+    fn strained(&self, d: &[f64]) -> Vec<f64> {
+        let (n, body) = (d.len(), &self.blueprint.flexible[0]);
+        let mut strained = d.to_vec();
+        for s in &body.shortenings {
+            strained[s.along] += 0.5 * (0..n * n).map(|k| d[k / n] * s.matrix[k] * d[k % n]).sum::<f64>();
+        }
+        strained
+    }
+
+    /// Elastic energy at the coordinates `q` of [`Sample::all`].
+    fn elastic_energy(&self, q: &[f64]) -> f64 {
+        let e = self.strained(&q[2..]);
+        let n = e.len();
+        0.5 * (0..n * n).map(|k| e[k / n] * self.blueprint.flexible[0].stiffness[k] * e[k % n]).sum::<f64>()
+    }
+}
+
+fn rigid(particles: &[(f64, Vec3)]) -> Body<f64> {
+    let mass: f64 = particles.iter().map(|p| p.0).sum();
+    let center: Vec3 = std::array::from_fn(|i| particles.iter().map(|(m, p)| m * p[i]).sum::<f64>() / mass);
+    let about = |p: &Vec3| -> Vec3 { std::array::from_fn(|i| p[i] - center[i]) };
+    let second = sum(particles.iter().map(|(m, p)| outer(about(p), about(p), *m)));
+    let all = second[0][0] + second[1][1] + second[2][2];
+    let entry = |i: usize, k: usize| if i == k { all - second[i][k] } else { -second[i][k] };
+    Body { mass, center, inertia: std::array::from_fn(|i| std::array::from_fn(|k| entry(i, k))) }
+}
+
+fn combine(q: &[f64], v: &[f64], a: &[f64], t: f64) -> Vec<f64> {
+    (0..q.len()).map(|i| q[i] + v[i] * t + 0.5 * a[i] * t * t).collect()
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    (0..3).map(|i| a[i] * b[i]).sum()
+}
+
+/// `Σ m (p̈ − g)·∂p/∂q_i + ∂V/∂q_i + (D q̇)_i` with p̈ and ∂p/∂q by differences of places.
+fn particle_efforts(sample: &Sample, engine: &mut dyn Engine, q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64> {
+    let h = 1e-3;
+    let at = |engine: &mut dyn Engine, k: f64| sample.places(engine, &combine(q, v, a, k * h));
+    let five: Vec<Vec<(f64, Vec3)>> = [-2.0, -1.0, 0.0, 1.0, 2.0].iter().map(|k| at(engine, *k)).collect();
+    let second = |p: usize, i: usize| {
+        let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| five[k][p].1[i]);
+        (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h)
+    };
+    let gravity = sample.blueprint.gravity;
+    (0..q.len())
+        .map(|i| {
+            let shifted = |k: f64| -> Vec<f64> { (0..q.len()).map(|j| q[j] + if i == j { k * h } else { 0.0 }).collect() };
+            let four = [-2.0, -1.0, 1.0, 2.0].map(|k| sample.places(engine, &shifted(k)));
+            let slope = |p: usize| -> Vec3 {
+                std::array::from_fn(|c| {
+                    let [a, b, d, e] = [0, 1, 2, 3].map(|k| four[k][p].1[c]);
+                    (a - 8.0 * b + 8.0 * d - e) / (12.0 * h)
+                })
+            };
+            let inertia: f64 = (0..five[2].len())
+                .map(|p| five[2][p].0 * dot(std::array::from_fn(|c| second(p, c) - gravity[c]), slope(p)))
+                .sum();
+            let energy = |k: f64| sample.elastic_energy(&shifted(k));
+            let elastic = (energy(-2.0) - 8.0 * energy(-1.0) + 8.0 * energy(1.0) - energy(2.0)) / (12.0 * h);
+            let n = q.len() - 2;
+            let damping = &sample.blueprint.flexible[0].damping;
+            let damped = if i < 2 { 0.0 } else { (0..n).map(|j| damping[(i - 2) * n + j] * v[j + 2]).sum() };
+            inertia + elastic + damped
+        })
+        .collect()
+}
+
+fn random_list(dice: &mut Dice, n: usize, size: f64) -> Vec<f64> {
+    (0..n).map(|_| dice.within(-size, size)).collect()
+}
+
+#[test]
+fn efforts_are_those_of_the_particles() {
+    for (seed, planar, reversed) in (0..24).map(|k| (k, k % 2 == 0, k % 4 > 1)) {
+        let sample = Sample::new(seed + 1, planar, reversed);
+        let mut engine = sample.engine(planar);
+        let mut dice = Dice::new(seed + 100);
+        let n = sample.all.len();
+        let mut q = random_list(&mut dice, n, 0.9);
+        q[2..].iter_mut().for_each(|d| *d *= 0.4);
+        let (v, a) = (random_list(&mut dice, n, 2.0), random_list(&mut dice, n, 5.0));
+        let expected = particle_efforts(&sample, engine.as_mut(), &q, &v, &a);
+        engine.move_to(0.0, &q).unwrap();
+        engine.set_rates(&v, &a).unwrap();
+        engine.solve_forces(&mut |_, _| ()).unwrap();
+        let size = expected.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        for (i, expected) in expected.iter().enumerate() {
+            let found = engine.drive(i);
+            assert!((found - expected).abs() < 1e-6 * size, "{seed} {planar} {reversed} {i}: {found} {expected}");
+        }
+        assert!(engine.checks().balance < 1e-12, "{}", engine.checks().balance);
+    }
+}
+
+#[test]
+fn energy_is_that_of_the_particles() {
+    for (seed, planar, reversed) in (0..8).map(|k| (k, k % 2 == 0, k % 4 > 1)) {
+        let sample = Sample::new(seed + 31, planar, reversed);
+        let mut engine = sample.engine(planar);
+        let mut dice = Dice::new(seed + 200);
+        let n = sample.all.len();
+        let (q, v) = (random_list(&mut dice, n, 0.5), random_list(&mut dice, n, 2.0));
+        let h = 1e-4;
+        let [before, here, after] =
+            [-h, 0.0, h].map(|t| sample.places(engine.as_mut(), &combine(&q, &v, &vec![0.0; n], t)));
+        let mut kinetic = 0.0;
+        let mut potential = sample.elastic_energy(&q);
+        for p in 0..here.len() {
+            let speed: Vec3 = std::array::from_fn(|i| (after[p].1[i] - before[p].1[i]) / (2.0 * h));
+            kinetic += 0.5 * here[p].0 * dot(speed, speed);
+            potential -= here[p].0 * dot(sample.blueprint.gravity, here[p].1);
+        }
+        engine.move_to(0.0, &q).unwrap();
+        engine.set_rates(&v, &vec![0.0; n]).unwrap();
+        engine.solve_forces(&mut |_, _| ()).unwrap();
+        let energy = engine.energy();
+        assert!((energy.kinetic - kinetic).abs() < 1e-6 * kinetic, "{energy:?} {kinetic}");
+        assert!((energy.potential - potential).abs() < 1e-9 * potential.abs(), "{energy:?} {potential}");
+    }
+}
