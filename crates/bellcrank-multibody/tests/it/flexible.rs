@@ -1,10 +1,12 @@
 //! Flexible bodies against sums over their particles: places differenced, no integral shared with the crate.
 
 use crate::build::*;
+use crate::forward::Nothing;
 use crate::random::Dice;
+use bellcrank_math::{Planar, Space, Spatial};
 use bellcrank_multibody::{
-    Actuation, Blueprint, Body, BodyId, Coordinate, Engine, Flexible, JointId, JointKind, Place, ShapeInertia,
-    Shortening, engine_for,
+    Actuation, Advance, Blueprint, Body, BodyId, Coordinate, Dynamics, Engine, Flexible, JointId, JointKind, Machine,
+    Method, Place, ShapeInertia, Shortening, engine_for,
 };
 
 type Vec3 = [f64; 3];
@@ -97,13 +99,22 @@ impl Sample {
         let axis = if planar { Z } else { [0.3, -0.4, 0.8] };
         let (held, hangs) = if reversed { (INTERFACE, FLEXIBLE) } else { (FLEXIBLE, INTERFACE) };
         let joints = vec![
-            joint(JointKind::Revolute { axis }, place(BodyId(0), point(0.2, 0.1, -0.3)), place(held, point(0.1, 0.2, 0.1))),
+            joint(
+                JointKind::Revolute { axis },
+                place(BodyId(0), point(0.2, 0.1, -0.3)),
+                place(held, point(0.1, 0.2, 0.1)),
+            ),
             joint(JointKind::Elastic, place(FLEXIBLE, point(0.5, -0.3, 0.2)), place(INTERFACE, [0.0; 3])),
             joint(JointKind::Modes { count: modes }, place(FLEXIBLE, [0.0; 3]), place(MODES, [0.0; 3])),
-            joint(JointKind::Revolute { axis: Z }, place(hangs, point(-0.1, 0.15, 0.05)), place(CHILD, point(0.2, -0.1, 0.3))),
+            joint(
+                JointKind::Revolute { axis: Z },
+                place(hangs, point(-0.1, 0.15, 0.05)),
+                place(CHILD, point(0.2, -0.1, 0.3)),
+            ),
         ];
-        let child: Vec<(f64, Vec3)> =
-            (0..5).map(|i| (0.3 + 0.1 * f64::from(i), point(dice.within(-0.4, 0.4), dice.within(-0.4, 0.4), 0.3))).collect();
+        let child: Vec<(f64, Vec3)> = (0..5)
+            .map(|i| (0.3 + 0.1 * f64::from(i), point(dice.within(-0.4, 0.4), dice.within(-0.4, 0.4), 0.3)))
+            .collect();
         let massless = Body { mass: 0.0, center: [0.0; 3], inertia: [[0.0; 3]; 3] };
         let bodies = vec![massless.clone(), massless.clone(), massless, rigid(&child)];
         let gravity = if planar { [GRAVITY[0], GRAVITY[1], 0.0] } else { GRAVITY };
@@ -190,7 +201,8 @@ fn particle_efforts(sample: &Sample, engine: &mut dyn Engine, q: &[f64], v: &[f6
     let gravity = sample.blueprint.gravity;
     (0..q.len())
         .map(|i| {
-            let shifted = |k: f64| -> Vec<f64> { (0..q.len()).map(|j| q[j] + if i == j { k * h } else { 0.0 }).collect() };
+            let shifted =
+                |k: f64| -> Vec<f64> { (0..q.len()).map(|j| q[j] + if i == j { k * h } else { 0.0 }).collect() };
             let four = [-2.0, -1.0, 1.0, 2.0].map(|k| sample.places(engine, &shifted(k)));
             let slope = |p: usize| -> Vec3 {
                 std::array::from_fn(|c| {
@@ -262,5 +274,78 @@ fn energy_is_that_of_the_particles() {
         let energy = engine.energy();
         assert!((energy.kinetic - kinetic).abs() < 1e-6 * kinetic, "{energy:?} {kinetic}");
         assert!((energy.potential - potential).abs() < 1e-9 * potential.abs(), "{energy:?} {potential}");
+    }
+}
+
+/// `M` by columns from inverse dynamics, and as the composite bodies give it.
+fn both_masses<S: Space<T = f64>>(sample: &Sample, q: &[f64]) -> [Vec<f64>; 2] {
+    let mut machine = Machine::<S>::new(sample.blueprint.clone()).unwrap();
+    let (_, n) = machine.sizes();
+    let (mut m, mut still) = (vec![0.0; n * n], vec![0.0; n]);
+    machine.mass_matrix(q, &mut m);
+    machine.inverse_dynamics(q, &vec![0.0; n], &vec![0.0; n], &mut still);
+    let mut columns = vec![0.0; n * n];
+    for j in 0..n {
+        let unit: Vec<f64> = (0..n).map(|i| f64::from(i == j)).collect();
+        let mut tau = vec![0.0; n];
+        machine.inverse_dynamics(q, &vec![0.0; n], &unit, &mut tau);
+        (0..n).for_each(|i| columns[i * n + j] = tau[i] - still[i]);
+    }
+    [m, columns]
+}
+
+#[test]
+fn masses_are_those_of_inverse_dynamics() {
+    for (seed, planar, reversed) in (0..12).map(|k| (k, k % 2 == 0, k % 4 > 1)) {
+        let sample = Sample::new(seed + 57, planar, reversed);
+        let q = random_list(&mut Dice::new(seed + 300), sample.all.len(), 0.6);
+        let [m, columns] =
+            if planar { both_masses::<Planar<f64>>(&sample, &q) } else { both_masses::<Spatial<f64>>(&sample, &q) };
+        for (a, b) in m.iter().zip(&columns) {
+            assert!((a - b).abs() < 1e-12, "{seed} {planar} {reversed}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn a_flexible_machine_let_go_keeps_its_energy() {
+    for (planar, reversed) in [(true, false), (false, false), (false, true)] {
+        let mut sample = Sample::new(77, planar, reversed);
+        sample.blueprint.flexible[0].damping.fill(0.0);
+        let mut engine = engine_for(planar, &sample.blueprint).unwrap();
+        let hold: Vec<_> = sample.all.iter().enumerate().map(|(i, c)| (*c, 0.03 * (i as f64 + 1.0).sin())).collect();
+        engine.assemble(&hold).unwrap();
+        let method = Method::Explicit;
+        let dynamics = Dynamics { tolerance: 1e-10, method, ..Dynamics::free() };
+        let begun = engine.begin(&dynamics, &mut Nothing).unwrap();
+        assert_eq!(begun.freedom, sample.all.len());
+        while engine.advance(0.5, &mut Nothing).unwrap() == Advance::Working {}
+        let energy = engine.energy();
+        let drift = energy.kinetic + energy.potential - begun.energy;
+        assert!(energy.kinetic > 1.0 && drift.abs() < 1e-7 * energy.kinetic, "{planar} {reversed}: {energy:?} {drift}");
+        assert!(engine.checks().balance < 1e-10, "{}", engine.checks().balance);
+    }
+}
+
+/// Both integrators on the same damped machine: the stiffness and damping that the implicit one takes are exact.
+#[test]
+fn implicit_and_explicit_steps_agree() {
+    for planar in [true, false] {
+        let sample = Sample::new(91, planar, false);
+        let run = |method: Method, tolerance: f64| {
+            let mut engine = engine_for(planar, &sample.blueprint).unwrap();
+            engine.assemble(&[]).unwrap();
+            engine.begin(&Dynamics { tolerance, method, ..Dynamics::free() }, &mut Nothing).unwrap();
+            while engine.advance(0.3, &mut Nothing).unwrap() == Advance::Working {}
+            let places: Vec<f64> = sample.all.iter().map(|c| engine.coordinate(*c).position).collect();
+            (places, engine.solver_effort())
+        };
+        let (exact, _) = run(Method::Explicit, 1e-10);
+        let (found, effort) = run(Method::GeneralizedAlpha { spectral_radius: 0.8 }, 1e-7);
+        for (a, b) in exact.iter().zip(&found) {
+            assert!((a - b).abs() < 2e-5, "{planar}: {a} {b}");
+        }
+        // A wrong tangent costs iterations.
+        assert!(effort.newton_iterations < 4 * effort.steps, "{effort:?}");
     }
 }
