@@ -141,6 +141,8 @@ pub struct Freedom {
     pub closing: Vec<JointId>,
     /// Equations that depend on others.
     pub redundant: Vec<Redundancy>,
+    /// Coordinates of flexible bodies; they are in no other number here but the rank.
+    pub shapes: usize,
     /// Rank at a nearby position differs: the present position is special.
     pub special: bool,
     /// Coordinates able to move, most mobile first.
@@ -229,7 +231,8 @@ pub trait Engine: Readings<f64> + Forward + Send {
     /// the degrees of freedom on trust, so a family of designs pays for its ranks once; assembly gives up after fewer
     /// random restarts than for a new machine.
     fn renew(&mut self, blueprint: &Blueprint<f64>) -> Result<(), BuildError>;
-    /// Chooses what is prescribed; checks that it takes every degree of freedom, no more.
+    /// Chooses what is prescribed; checks that it takes every degree of freedom, no more. Shapes of flexible bodies are
+    /// not to be named: they follow, quasi-statically, from what the bodies carry at [`Engine::solve_forces`].
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError>;
     /// Moves the position coordinates to `targets` (SI), keeping the branch; stops where it cannot go on.
     fn move_to(&mut self, time: f64, targets: &[f64]) -> Result<Moved, MechanismError>;

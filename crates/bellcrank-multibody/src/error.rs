@@ -109,6 +109,17 @@ pub enum MechanismError {
         /// The coordinate it acts on.
         coordinate: Coordinate,
     },
+    /// Flexible bodies found no shape that carries their loads: they buckle, or bend too far.
+    NotSettled {
+        /// The last change of the shapes, in machine sizes.
+        part: f64,
+    },
+    /// Loops that rigid bodies cannot all meet and flexible ones only by bending: shapes cannot be prescribed one by
+    /// one.
+    BendsToClose {
+        /// Shapes that take part.
+        equations: usize,
+    },
     /// Forces move a coordinate that nothing with mass moves along with: its acceleration is not determined.
     NoMass {
         /// Coordinates that move without moving mass, most mobile first.

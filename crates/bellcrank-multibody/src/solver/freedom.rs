@@ -96,7 +96,18 @@ impl<S: Space<T = f64>> Machine<S> {
             freedom.redundant = if best < equations { self.dependent_rows(&a) } else { Vec::new() };
             freedom.mobile = self.mobile(&a, &[]);
         }
+        self.leave_shapes_out(&mut freedom);
         freedom
+    }
+
+    /// What bodies bend by is told apart from what the machine moves by.
+    fn leave_shapes_out(&self, freedom: &mut Freedom) {
+        let elastic = self.elastic();
+        freedom.shapes = elastic.len();
+        freedom.coordinates -= elastic.len();
+        freedom.counted -= elastic.len() as i64;
+        freedom.degrees = freedom.degrees.saturating_sub(elastic.len());
+        freedom.mobile.retain(|c| !elastic.contains(c));
     }
 
     /// Rows with a part in the left null space, by name.

@@ -4,6 +4,7 @@ use super::assembly::Room;
 use super::jacobian::Rows;
 use super::position::History;
 use super::readings::Solved;
+use super::settling::Settling;
 use super::system::LinearSystem;
 use super::tangent::Tangent;
 use crate::constraint::Measure;
@@ -86,6 +87,8 @@ pub struct Machine<S: Space<T = f64>> {
     pub(crate) has_friction: bool,
     /// Recursions over the tree alone, once they were asked for.
     pub(crate) recursions: Option<Box<Recursions<S>>>,
+    /// Shapes of flexible bodies that follow the motion.
+    pub(crate) settling: Option<Box<Settling>>,
     /// A run in time.
     pub(crate) flight: Option<Box<crate::forward::Flight<S>>>,
     /// Derivatives, once they were asked for.
@@ -141,6 +144,7 @@ impl<S: Space<T = f64>> Machine<S> {
             measured_angles: measured_angles(&mech),
             has_friction: mech.elements.iter().any(|e| matches!(e, crate::forces::Element::Friction(_))),
             recursions: None,
+            settling: None,
             flight: None,
             tangent: None,
             room: None,
@@ -164,6 +168,7 @@ impl<S: Space<T = f64>> Machine<S> {
         self.time = 0.0;
         self.tangent = None;
         self.recursions = None;
+        self.settling = None;
         self.flight = None;
         self.renewed = true;
         self.go_to_start();
@@ -225,6 +230,11 @@ impl<S: Space<T = f64>> Machine<S> {
             outputs: &self.outputs,
             unwrapped: &self.unwrapped,
         }
+    }
+
+    /// What the last derivatives are read from.
+    pub(crate) fn derivatives_now(&self) -> Option<&dyn Readings<Seeded>> {
+        self.tangent.as_deref().map(|tangent| tangent as &dyn Readings<Seeded>)
     }
 
     /// Poses from `q`; later stages are void.
@@ -291,7 +301,7 @@ pub fn engine_for(planar: bool, blueprint: &Blueprint<f64>) -> Result<Box<dyn En
 
 impl<S: Space<T = f64>> Engine for Machine<S> {
     fn assemble(&mut self, hold: &[(Coordinate, f64)]) -> Result<Assembled, MechanismError> {
-        self.assemble_near_starts(hold)
+        self.assemble_near_starts(&self.hold_shapes(hold))
     }
     fn freedom(&mut self) -> Freedom {
         self.count_freedom()
@@ -303,17 +313,16 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
         self.only_drives = only;
     }
     fn prepare(&mut self, actuation: &Actuation) -> Result<(), MechanismError> {
-        self.prepare_systems(actuation)
+        self.prepare_bent(actuation)
     }
     fn move_to(&mut self, time: f64, targets: &[f64]) -> Result<Moved, MechanismError> {
-        self.continue_to(time, targets)
+        self.move_bent(time, targets)
     }
     fn set_rates(&mut self, velocity: &[f64], acceleration: &[f64]) -> Result<Moved, MechanismError> {
-        self.solve_rates(velocity, acceleration)
+        self.rates_bent(velocity, acceleration)
     }
     fn solve_forces(&mut self, inputs: Inputs<'_, f64>) -> Result<(), MechanismError> {
-        self.ask_inputs(inputs)?;
-        self.solve_efforts()
+        self.efforts_bent(inputs)
     }
     fn equilibrium(
         &mut self,
@@ -330,10 +339,10 @@ impl<S: Space<T = f64>> Engine for Machine<S> {
         Ok(())
     }
     fn differentiate(&mut self, at: &Prescription<'_>, inputs: Inputs<'_, Seeded>) -> Result<(), MechanismError> {
-        self.carry_derivatives(at, inputs)
+        self.derivatives_bent(at, inputs)
     }
     fn derivatives(&self) -> Option<&dyn Readings<Seeded>> {
-        self.tangent.as_deref().map(|tangent| tangent as &dyn Readings<Seeded>)
+        self.derivatives_now()
     }
 }
 

@@ -11,6 +11,7 @@ mod position;
 mod rates;
 mod readings;
 mod redundancy;
+mod settling;
 mod statics;
 mod system;
 mod tangent;

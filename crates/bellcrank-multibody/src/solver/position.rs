@@ -255,6 +255,18 @@ impl<S: Space<T = f64>> Machine<S> {
         }
     }
 
+    /// From nearby onto `targets`; `q` stays as it was where that fails.
+    pub(crate) fn correct_to(&mut self, system: &mut LinearSystem, targets: &[f64]) -> bool {
+        self.scratch.saved.copy_from_slice(&self.q);
+        let converged = self.correct(system, targets).converged;
+        if converged {
+            self.note_unwrapped();
+        } else {
+            self.restore();
+        }
+        converged
+    }
+
     /// Newton on the free coordinates with the prescribed ones at `targets`.
     fn correct(&mut self, system: &mut LinearSystem, targets: &[f64]) -> Corrected {
         for (k, p) in system.prescribed.iter().enumerate() {

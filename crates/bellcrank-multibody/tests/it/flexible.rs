@@ -3,10 +3,10 @@
 use crate::build::*;
 use crate::forward::Nothing;
 use crate::random::Dice;
-use bellcrank_math::{Planar, Space, Spatial};
+use bellcrank_math::{Planar, Real, Space, Spatial};
 use bellcrank_multibody::{
     Actuation, Advance, Blueprint, Body, BodyId, Coordinate, Dynamics, Engine, Flexible, JointId, JointKind, Machine,
-    Method, Place, ShapeInertia, Shortening, engine_for,
+    Method, Place, Prescription, Seeded, ShapeInertia, Shortening, engine_for,
 };
 
 type Vec3 = [f64; 3];
@@ -347,5 +347,97 @@ fn implicit_and_explicit_steps_agree() {
         }
         // A wrong tangent costs iterations.
         assert!(effort.newton_iterations < 4 * effort.steps, "{effort:?}");
+    }
+}
+
+fn settled(sample: &Sample, planar: bool, places: [f64; 2], v: [f64; 2], a: [f64; 2]) -> Box<dyn Engine> {
+    let mut engine = engine_for(planar, &sample.blueprint).unwrap();
+    engine.assemble(&[]).unwrap();
+    let drives = sample.all[..2].to_vec();
+    engine.prepare(&Actuation { position: drives.clone(), rate: drives.clone(), effort: drives }).unwrap();
+    engine.move_to(0.0, &places).unwrap();
+    engine.set_rates(&v, &a).unwrap();
+    engine.solve_forces(&mut |_, _| ()).unwrap();
+    engine
+}
+
+#[test]
+fn driven_bodies_bend_as_in_equilibrium() {
+    for (seed, planar, reversed) in (0..8).map(|k| (k, k % 2 == 0, k % 4 > 1)) {
+        let sample = Sample::new(seed + 400, planar, reversed);
+        let places = [0.4, -0.7];
+        let engine = settled(&sample, planar, places, [0.0; 2], [0.0; 2]);
+        let mut rest = engine_for(planar, &sample.blueprint).unwrap();
+        let hold: Vec<_> = sample.all[..2].iter().copied().zip(places).collect();
+        rest.assemble(&hold).unwrap();
+        rest.equilibrium(&hold, &mut |_, _| ()).unwrap();
+        for c in &sample.elastic {
+            let [a, b] = [engine.coordinate(*c).position, rest.coordinate(*c).position];
+            assert!((a - b).abs() < 1e-8, "{seed} {planar} {reversed} {c:?}: {a} {b}");
+        }
+        assert!(engine.coordinate(sample.elastic[0]).position.abs() > 1e-4);
+        assert!(engine.checks().balance < 1e-12);
+    }
+}
+
+#[test]
+fn nothing_holds_the_shape_of_a_body_that_moves() {
+    for (seed, planar) in [(1, true), (2, false), (3, true)] {
+        let sample = Sample::new(seed + 500, planar, false);
+        let (places, v, a) = ([0.3, 0.5], [1.1, -0.8], [3.0, 2.0]);
+        let engine = settled(&sample, planar, places, v, a);
+        let mut all = sample.engine(planar);
+        let n = sample.all.len();
+        let q: Vec<f64> = sample.all.iter().map(|c| engine.coordinate(*c).position).collect();
+        let with_rest = |two: [f64; 2]| two.into_iter().chain(vec![0.0; n - 2]).collect::<Vec<_>>();
+        all.move_to(0.0, &q).unwrap();
+        all.set_rates(&with_rest(v), &with_rest(a)).unwrap();
+        all.solve_forces(&mut |_, _| ()).unwrap();
+        for i in 0..n {
+            let expected = if i < 2 { engine.drive(i) } else { 0.0 };
+            assert!((all.drive(i) - expected).abs() < 1e-7, "{i}: {} {expected}", all.drive(i));
+        }
+    }
+}
+
+/// Mass of the child, gravity, and one stiffness: exact derivatives of drives and shapes against differences.
+#[test]
+fn derivatives_go_through_the_shapes() {
+    let change = |sample: &mut Sample, by: f64| {
+        sample.blueprint.bodies[CHILD.0].mass += by;
+        sample.blueprint.gravity[1] += 2.0 * by;
+        sample.blueprint.flexible[0].stiffness[0] += 300.0 * by;
+    };
+    for planar in [true, false] {
+        let (places, v, a) = ([0.3, 0.5], [1.1, -0.8], [3.0, 2.0]);
+        let at = |by: f64| {
+            let mut sample = Sample::new(611, planar, false);
+            change(&mut sample, by);
+            settled(&sample, planar, places, v, a)
+        };
+        let sample = Sample::new(611, planar, false);
+        let mut engine = at(0.0);
+        let mut seeded = sample.blueprint.map(Seeded::from_f64);
+        seeded.bodies[CHILD.0].mass.eps[0] = 1.0;
+        seeded.gravity[1].eps[0] = 2.0;
+        seeded.flexible[0].stiffness[0].eps[0] = 300.0;
+        engine.seed(&seeded).unwrap();
+        let two = |x: [f64; 2]| x.map(Seeded::from_f64);
+        let (p, v, a) = (two(places), two(v), two(a));
+        let time = Seeded::from_f64(0.0);
+        engine
+            .differentiate(&Prescription { time, position: &p, velocity: &v, acceleration: &a }, &mut |_, _| ())
+            .unwrap();
+        let h = 1e-5;
+        let [before, after] = [at(-h), at(h)];
+        let found = engine.derivatives().unwrap();
+        for i in 0..2 {
+            let difference = (after.drive(i) - before.drive(i)) / (2.0 * h);
+            assert!((found.drive(i).eps[0] - difference).abs() < 1e-5 * difference.abs().max(1.0), "{difference}");
+        }
+        for c in &sample.elastic {
+            let difference = (after.coordinate(*c).position - before.coordinate(*c).position) / (2.0 * h);
+            assert!((found.coordinate(*c).position.eps[0] - difference).abs() < 1e-7, "{c:?} {difference}");
+        }
     }
 }
