@@ -40,7 +40,7 @@ pub(super) fn report(design: &Design, error: &BuildError) -> Diagnostic {
         BuildError::Attitude(c) => attitude(*c, named(&c.joint), at(&c.joint)),
         BuildError::Flexible(body) => {
             let body = design.bodies.get(body.0);
-            let (name, span) = body.map_or(("", Span::default()), |body| (body.name.as_str(), body.span));
+            let (name, span) = body.map_or(("", design.gravity_span), |body| (body.name.as_str(), body.span));
             Diagnostic::error("flexible", span, format!("body `{name}` cannot be flexible: its reduction does not fit"))
         }
     }

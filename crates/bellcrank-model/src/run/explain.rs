@@ -197,6 +197,25 @@ fn explain(namer: &Namer<'_>, error: &MechanismError) -> (String, Vec<String>) {
                 format!("at {} events follow each other without time between them: {names}", namer.time(*time));
             (message, vec!["give the friction a `smoothing_velocity`, or the stop a stiffness".to_owned()])
         }
+        MechanismError::NotSettled { part } => (
+            format!(
+                "the flexible bodies find no shape that carries their loads: after the last iteration they still move \
+                 by {:.1e} of the machine's size",
+                part
+            ),
+            vec![
+                "they buckle, or bend beyond what the theory of small deformation knows: look at loads, materials and \
+                 sections, or let go of the machine in a study of dynamics"
+                    .to_owned(),
+            ],
+        ),
+        MechanismError::BendsToClose { equations } => (
+            format!(
+                "the loops of rigid bodies cannot all close while flexible ones bend ({equations} of their shapes would \
+                 have to fit): a sweep cannot bend them one by one"
+            ),
+            vec!["use a study of `statics` or `dynamics`, free a redundant joint, or say `flexible = false`".to_owned()],
+        ),
         MechanismError::NotFinite(quantity) => (
             format!("{quantity} became infinite or undefined"),
             vec!["look for a division by zero in expressions of forces and motions".to_owned()],
