@@ -23,8 +23,11 @@ fn main() -> Result<(), ReportError> {
         sample::kinds::poor(),
         sample::forward::run(),
         sample::stress::run(),
+        sample::flexible::run(),
     ];
-    for (run, name) in runs.iter().zip(["lift", "troubled", "stewart", "wide", "kinds", "poor", "forward", "parts"]) {
+    for (run, name) in
+        runs.iter().zip(["lift", "troubled", "stewart", "wide", "kinds", "poor", "forward", "parts", "flexible"])
+    {
         print!("{}", terminal_summary(run, &Style { color: false, width: 100 }));
         let columns = run.studies.first().map_or(0, |study| study.table.columns.len());
         println!("\n{name}: {columns} columns");

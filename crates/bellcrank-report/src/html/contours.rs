@@ -1,16 +1,16 @@
 //! Pictures of parts with stress or mode shapes on them, and the numbers with which they can be turned.
 
 mod data;
-mod integers;
 
 use bellcrank_results::{Contour, StudyResult};
 
 use super::Escaped;
 use super::data::encoded;
 use crate::PictureFile;
+use crate::picture::contours;
 
 use data::is_light;
-pub(crate) use data::push as push_data;
+pub(crate) use data::{colours, distinct, push as push_data, push_places, scale};
 
 /// The drawing to turn, built from `web/` like the rest; it goes only into pages with such pictures.
 pub(crate) const SCRIPT: &str = include_str!("../../web/dist/contour.js");
@@ -27,7 +27,9 @@ pub(crate) fn section(study: &StudyResult, pictures: &[Option<PictureFile>], ind
     let one = |((at, picture), contour): ((usize, &Option<PictureFile>), &Contour)| {
         picture.as_ref().map_or_else(String::new, |picture| figure(picture, contour, &key(index, at)))
     };
-    let all: String = pictures.iter().enumerate().zip(&study.contours).map(one).collect();
+    let drawn = contours(study);
+    let drawn = drawn.iter().map(AsRef::as_ref);
+    let all: String = pictures.iter().enumerate().zip(drawn).map(one).collect();
     if all.is_empty() { all } else { format!("<h3>Parts</h3>\n{all}") }
 }
 

@@ -6,6 +6,7 @@
 
 mod base64;
 mod blob;
+mod integers;
 mod solids;
 mod thinning;
 
@@ -17,8 +18,8 @@ use serde_json::{Value, json};
 
 pub(crate) use base64::encoded;
 use blob::Blob;
-use thinning::kept_frames;
-pub(crate) use thinning::kept_rows;
+pub(crate) use integers::Integers;
+pub(crate) use thinning::{kept_frames, kept_rows};
 
 pub(crate) fn push(page: &mut String, run: &RunResult) {
     let mut blobs = Vec::new();

@@ -4,6 +4,7 @@ mod contours;
 mod data;
 mod escape;
 mod events;
+mod flexible;
 mod glance;
 mod kinds;
 mod model;

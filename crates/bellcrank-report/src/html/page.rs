@@ -2,7 +2,7 @@
 
 use bellcrank_results::{RunResult, StudyResult};
 
-use super::{Escaped, contours, data, model, provenance, sentence, study};
+use super::{Escaped, contours, data, flexible, model, provenance, sentence, study};
 use crate::{FigureFile, PictureFile, findings, study_folders, told};
 
 /// The browser part, built from `web/` (see its README) and committed: building needs no npm.
@@ -45,6 +45,7 @@ pub(crate) fn page(run: &RunResult, figures: &[Vec<FigureFile>], pictures: &[Vec
     if with_parts {
         contours::push_data(&mut page, run, pictures);
     }
+    flexible::push_data(&mut page, run);
     if with_parts || run.studies.iter().any(|study| study::moves(run, study)) {
         page.push_str(&format!(
             "<!-- three.js, (c) three.js authors, MIT licence -->\n\

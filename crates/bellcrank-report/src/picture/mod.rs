@@ -10,6 +10,7 @@ mod panel;
 mod raster;
 mod scale;
 mod sheet;
+mod still;
 mod surface;
 mod text;
 mod vector;
@@ -18,6 +19,7 @@ pub(crate) use axes::plan;
 pub(crate) use palette::{ABOVE, DIVERGING, NONE, SEQUENTIAL};
 pub(crate) use scale::Scale;
 pub(crate) use sheet::{TILT, fields};
+pub(crate) use still::{contours, in_row};
 pub(crate) use surface::{nearest, outline, usual_scale};
 pub(crate) use vector::bounds;
 
@@ -36,12 +38,13 @@ pub struct PictureFile {
     pub png: Vec<u8>,
 }
 
-/// One picture for each contour of a study, in their order; none of a contour that has no surface.
+/// One picture for each contour of a study, in their order, then one for each flexible body in its worst row; none of
+/// what has no surface.
 pub fn pictures(study: &StudyResult) -> Vec<Option<PictureFile>> {
-    let stems = file_stems(
-        study.contours.iter().map(|contour| stem(&contour.title)).collect::<Vec<_>>().iter().map(String::as_str),
-    );
-    study.contours.iter().zip(stems).map(|(contour, stem)| picture(contour, stem)).collect()
+    let drawn = contours(study);
+    let titles: Vec<String> = drawn.iter().map(|contour| stem(&contour.title)).collect();
+    let stems = file_stems(titles.iter().map(String::as_str));
+    drawn.iter().zip(stems).map(|(contour, stem)| picture(contour, stem)).collect()
 }
 
 fn picture(contour: &Contour, stem: String) -> Option<PictureFile> {

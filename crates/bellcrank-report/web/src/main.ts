@@ -17,7 +17,7 @@ function liven(drawing: Drawing, study: Study, index: number): void {
   if (study.rows === 0) return;
   const cursor = new Cursor(study.rows);
   const stage = document.querySelector<HTMLElement>(`[data-stage="${index}"]`);
-  if (stage && study.motion) new Stage(stage, drawing, study, study.motion, cursor);
+  if (stage && study.motion) new Stage(stage, drawing, study, study.motion, cursor, index);
   const curves = document.querySelector<HTMLElement>(`[data-curves="${index}"]`);
   if (curves) whenNear(curves, () => new Curves(curves, study, cursor));
   followHodographs(index, study, cursor);

@@ -3,6 +3,8 @@
 import type { Cursor } from "./cursor";
 import { type Drawing, type Motion, signal, type Study } from "./data";
 import { choice, make, toggle } from "./dom";
+import { flexibleControls } from "./flexible/controls";
+import { hasFlexible } from "./flexible/data";
 import { withUnit } from "./format";
 import { Player } from "./player";
 import type { V2 } from "./scene/camera";
@@ -19,6 +21,8 @@ export class Stage {
   private readonly tip = make("div", { class: "tip", hidden: true });
   private readonly word = make("p", { class: "hint", hidden: true });
   private readonly sides = make("span", { class: "group", hidden: true });
+  /** Controls of flexible bodies. */
+  private readonly elastic = make("div", { hidden: true });
   private readonly facts: Facts;
   private readonly flat: Scene;
   private solid: View | null = null;
@@ -35,6 +39,7 @@ export class Stage {
     private readonly study: Study,
     motion: Motion,
     private readonly cursor: Cursor,
+    private readonly index: number,
   ) {
     this.facts = new Facts(drawing, motion, study);
     this.view = this.flat = new Scene(this.facts);
@@ -43,13 +48,19 @@ export class Stage {
     this.shown = { applied: true, reactions: false, names: false, centers: drawing.planar, frames: false, trail };
     const frame = make("div", { class: "frame" }, this.canvas, this.tip);
     // A single position has nothing to play.
-    mount.append(frame, ...(study.rows > 1 ? [this.player.element] : []), this.options(), this.word);
+    mount.append(frame, ...(study.rows > 1 ? [this.player.element] : []), this.elastic, this.options(), this.word);
     this.name();
     this.player.follow(() => this.redraw());
     cursor.follow(() => this.redraw());
     new ResizeObserver(() => this.resize()).observe(frame);
     this.listen();
-    if (!drawing.planar && motion.solids.length > 0) void this.useSolid(true);
+    if (this.solidFirst()) void this.useSolid(true);
+  }
+
+  /** A machine in the plane is flat, but for bodies that are coloured and deformed. */
+  private solidFirst(): boolean {
+    const { planar, solids } = { planar: this.drawing.planar, solids: this.facts.motion.solids };
+    return (!planar && solids.length > 0) || hasFlexible(this.index);
   }
 
   private options(): HTMLElement {
@@ -66,8 +77,8 @@ export class Stage {
     const button = (label: string, text: string, act: () => void) =>
       make("button", { type: "button", "aria-label": label, title: label, click: () => set(act) }, text);
     const options: Node[] = [];
-    if (this.facts.motion.solids.length > 0) {
-      options.push(toggle("3D", !this.drawing.planar, (on) => void this.useSolid(on)));
+    if (this.facts.motion.solids.length > 0 || hasFlexible(this.index)) {
+      options.push(toggle("3D", this.solidFirst(), (on) => void this.useSolid(on)));
     }
     options.push(trails);
     if (this.drawing.arrows.length > 0) options.push(toggle("applied forces", true, (on) => set((s) => (s.applied = on))));
@@ -92,14 +103,17 @@ export class Stage {
   /** Solid where the browser can, else flat with a word on why. */
   private async useSolid(on: boolean): Promise<void> {
     if (on && !this.solid) {
-      const made = await solidView(this.facts);
+      const made = await solidView(this.facts, this.index);
       if (typeof made === "string") {
         this.word.textContent = `The flat drawing is shown: ${made}.`;
         this.word.hidden = false;
       } else this.solid = made;
+      const chosen = this.solid?.flexible;
+      if (chosen) this.elastic.append(flexibleControls(chosen, () => this.redraw(), (frame) => this.player.seek(frame)));
     }
     this.view = (on && this.solid) || this.flat;
     this.sides.hidden = !this.view.look;
+    this.elastic.hidden = !this.view.flexible;
     this.name();
     this.view.fit(this.size);
     this.redraw();

@@ -1,5 +1,6 @@
 // What the stage asks of a drawing, flat or solid.
 
+import type { FlexibleChoice } from "./flexible/controls";
 import type { V2 } from "./scene/camera";
 
 /** What is drawn beside the machine itself. */
@@ -35,4 +36,6 @@ export interface View {
   zoomBy(factor: number, at: V2): void;
   reset(): void;
   look?(from: Side): void;
+  /** How flexible bodies are shown, where there are some. */
+  readonly flexible?: FlexibleChoice;
 }

@@ -6,11 +6,10 @@
 use bellcrank_results::{Contour, ContourField, ContourShape, RunResult};
 use serde_json::{Value, json};
 
-use super::integers::Integers;
 use crate::PictureFile;
-use crate::html::data::encoded;
+use crate::html::data::{Integers, encoded};
 use crate::picture::{
-    ABOVE, DIVERGING, NONE, SEQUENTIAL, Scale, TILT, bounds, fields, nearest, outline, plan, usual_scale,
+    ABOVE, DIVERGING, NONE, SEQUENTIAL, Scale, TILT, bounds, contours, fields, nearest, outline, plan, usual_scale,
 };
 
 /// Steps across the box around a part.
@@ -45,7 +44,8 @@ pub(crate) fn push(page: &mut String, run: &RunResult, pictures: &[Vec<Option<Pi
     let mut described = Vec::new();
     let mut blocks = String::new();
     for (study, (of, pictures)) in run.studies.iter().zip(pictures).enumerate() {
-        let drawn = of.contours.iter().zip(pictures).enumerate();
+        let all = contours(of);
+        let drawn = all.iter().map(AsRef::as_ref).zip(pictures).enumerate();
         for (index, (contour, _)) in drawn.filter(|(_, (contour, picture))| picture.is_some() && is_light(contour)) {
             let mut numbers = Integers::default();
             let key = super::key(study, index);
@@ -56,18 +56,22 @@ pub(crate) fn push(page: &mut String, run: &RunResult, pictures: &[Vec<Option<Pi
             blocks.push_str("</script>\n");
         }
     }
-    let colours = json!({ "even": SEQUENTIAL[..], "signed": DIVERGING[..], "rainbow": RAINBOW[..], "above": ABOVE, "none": NONE });
-    let data = json!({ "colours": colours, "tilt": [TILT.0, TILT.1], "contours": described });
+    let data = json!({ "colours": colours(), "tilt": [TILT.0, TILT.1], "contours": described });
     page.push_str("<script type=\"application/json\" id=\"bellcrank-contours\">");
     page.push_str(&data.to_string().replace('<', "\\u003c"));
     page.push_str("</script>\n");
     page.push_str(&blocks);
 }
 
+/// The colours of all pictures, from low to high.
+pub(crate) fn colours() -> Value {
+    json!({ "even": SEQUENTIAL[..], "signed": DIVERGING[..], "rainbow": RAINBOW[..], "above": ABOVE, "none": NONE })
+}
+
 fn part(contour: &Contour, key: &str, numbers: &mut Integers) -> Value {
     let sharp = outline(contour);
     let (low, high) = bounds(contour.nodes.iter().copied()).unwrap_or_default();
-    push_places(contour, low, high, numbers);
+    push_places(&contour.nodes, low, high, numbers);
     numbers.push(4, contour.triangles.iter().flatten().copied());
     let edges = distinct(&contour.edges);
     numbers.push(4, edges.iter().flatten().copied());
@@ -96,17 +100,17 @@ fn part(contour: &Contour, key: &str, numbers: &mut Integers) -> Value {
 }
 
 /// Each edge once, in an order that packs well.
-fn distinct(edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
+pub(crate) fn distinct(edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
     let mut once: Vec<[u32; 2]> = edges.iter().map(|[a, b]| [*a.min(b), *a.max(b)]).collect();
     once.sort_unstable();
     once.dedup();
     once
 }
 
-fn push_places(contour: &Contour, low: [f32; 3], high: [f32; 3], numbers: &mut Integers) {
+pub(crate) fn push_places(nodes: &[[f32; 3]], low: [f32; 3], high: [f32; 3], numbers: &mut Integers) {
     for k in 0..3 {
         let per = PLACES / (high[k] - low[k]).max(f32::MIN_POSITIVE);
-        numbers.push(3, contour.nodes.iter().map(|p| ((p[k] - low[k]) * per).round() as u32));
+        numbers.push(3, nodes.iter().map(|p| ((p[k] - low[k]) * per).round() as u32));
     }
 }
 
@@ -141,7 +145,15 @@ fn field(contour: &Contour, field: &ContourField, numbers: &mut Integers) -> Opt
     numbers.push(2, nodes.clone().map(|node| step(value(node))));
     let least = nodes.clone().filter(|node| value(*node).is_finite()).min_by(|a, b| value(*a).total_cmp(&value(*b)));
     let most = nodes.filter(|node| value(*node).is_finite()).max_by(|a, b| value(*a).total_cmp(&value(*b)));
-    Some(json!({
+    let mut described = self::scale(&scale);
+    described["leastAt"] = json!(least);
+    described["mostAt"] = json!(most);
+    Some(described)
+}
+
+/// What the colours of a field mean.
+pub(crate) fn scale(scale: &Scale) -> Value {
+    json!({
         "name": scale.name,
         "unit": scale.unit.symbol,
         "low": scale.low,
@@ -149,12 +161,10 @@ fn field(contour: &Contour, field: &ContourField, numbers: &mut Integers) -> Opt
         "step": scale.step,
         "least": scale.least,
         "most": scale.most,
-        "leastAt": least,
-        "mostAt": most,
         "signed": scale.signed,
         "cut": scale.is_cut(),
         "marks": scale.marks,
-    }))
+    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Results to report on, made from closed forms: no solver is needed to test a report.
 
 pub mod drive;
+pub mod flexible;
 pub mod forward;
 pub mod kinds;
 pub mod lift;

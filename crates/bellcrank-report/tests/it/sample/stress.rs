@@ -10,11 +10,11 @@ use bellcrank_results::{
 
 use super::provenance;
 
-type Key = [i32; 3];
+pub type Key = [i32; 3];
 
 /// A surface of quadrilaterals between nodes of a lattice.
 #[derive(Default)]
-struct Shell {
+pub struct Shell {
     nodes: HashMap<Key, u32>,
     keys: Vec<Key>,
     triangles: Vec<[u32; 3]>,
@@ -38,7 +38,7 @@ impl Shell {
     }
 
     /// The sides of the cells of a lattice that no other cell covers.
-    fn of_cells(cells: &[Key]) -> Self {
+    pub fn of_cells(cells: &[Key]) -> Self {
         let mut shell = Self::default();
         let there: HashMap<Key, ()> = cells.iter().map(|cell| (*cell, ())).collect();
         for &[i, j, k] in cells {
@@ -55,7 +55,7 @@ impl Shell {
         shell
     }
 
-    fn contour(self, title: &str, place: impl Fn(Key) -> [f64; 3]) -> Contour {
+    pub fn contour(self, title: &str, place: impl Fn(Key) -> [f64; 3]) -> Contour {
         let nodes = self.keys.iter().map(|key| place(*key).map(|x| x as f32)).collect();
         let numbers = (1..=self.keys.len() as u32).collect();
         let (triangles, edges) = (self.triangles, self.edges);

@@ -1,6 +1,7 @@
 // What the Rust side packed of the parts (src/html/contours/), unpacked.
 
 import type { V3 } from "../data";
+import { Integers, threefold } from "../integers";
 import { gunzipped } from "../solid/loading";
 
 /** Colours from low to high as 0xrrggbb; what lies above the end, and where there is no number, as bytes. */
@@ -100,34 +101,9 @@ export async function readPart(catalogue: Catalogue, key: string): Promise<Part>
   return unpacked(packed, new Integers(bytes));
 }
 
-/** Lists of differences, byte by byte from low to high (src/html/contours/integers.rs). */
-class Integers {
-  private at = 0;
-
-  constructor(private readonly bytes: Uint8Array) {}
-
-  next(count: number, width: number): Uint32Array {
-    const { bytes, at } = this;
-    const numbers = new Uint32Array(count);
-    const mask = width === 4 ? -1 : (1 << (8 * width)) - 1;
-    let before = 0;
-    for (let k = 0; k < count; k++) {
-      let step = 0;
-      for (let plane = 0; plane < width; plane++) step |= bytes[at + plane * count + k] << (8 * plane);
-      before = (before + ((step >>> 1) ^ -(step & 1))) & mask;
-      numbers[k] = before;
-    }
-    this.at += count * width;
-    return numbers;
-  }
-}
-
 function unpacked(packed: PackedPart, numbers: Integers): Part {
   const { title, low, high, axes, marks, nodes } = packed;
-  const places = threefold(nodes, (k) => {
-    const per = (high[k] - low[k]) / 1_048_575;
-    return Float32Array.from(numbers.next(nodes, 3), (step) => low[k] + step * per);
-  });
+  const places = numbers.places(nodes, low, high);
   const triangles = numbers.next(3 * packed.triangles, 4);
   const edges = numbers.next(2 * packed.edges, 4);
   const outline = numbers.next(2 * packed.outline, 4);
@@ -146,17 +122,4 @@ function unpackedField(field: PackedField, nodes: number, numbers: Integers): Fi
   const per = (field.most - field.least) / 65_534;
   const values = Float32Array.from(numbers.next(nodes, 2), (step) => (step === 65_535 ? NO_VALUE : field.least + step * per));
   return { ...field, values };
-}
-
-/** Three lists, one after the other, as x, y, z of each node. */
-function threefold(nodes: number, list: (axis: number) => Float32Array): Float32Array {
-  const all = new Float32Array(3 * nodes);
-  for (let axis = 0; axis < 3; axis++) {
-    let at = axis;
-    for (const x of list(axis)) {
-      all[at] = x;
-      at += 3;
-    }
-  }
-  return all;
 }

@@ -5,6 +5,9 @@ import type { V2 } from "../scene/camera";
 import type { Kit } from "../solid/loading";
 import type { Colours, Field, Part, Shape } from "./data";
 
+/** What of a part is drawn. */
+export type Drawable = Pick<Part, "places" | "triangles" | "edges" | "outline" | "low" | "high" | "axes">;
+
 /** How colours are chosen. */
 export interface Style {
   rainbow: boolean;
@@ -81,7 +84,7 @@ export class Surface {
 
   constructor(
     private readonly kit: Kit,
-    private readonly part: Part,
+    private readonly part: Drawable,
     private readonly colours: Colours,
   ) {
     this.scene = new kit.Scene();
@@ -127,12 +130,20 @@ export class Surface {
     this.geometries.forEach((geometry) => geometry.setAttribute("move", attribute));
   }
 
-  /** Another field or other colours. */
-  field(field: Field | null, style: Style): void {
+  /** The displacements of the shape are others now. */
+  moved(): void {
+    this.geometries[0].getAttribute("move").needsUpdate = true;
+  }
+
+  /** Another field or other colours; `empty`: a field without numbers. */
+  field(field: Field | null, style: Style, empty = field === null): void {
     const values = field?.values ?? new Float32Array(this.part.places.length / 3).fill(-1e30);
-    this.geometries[0].setAttribute("value", new this.kit.BufferAttribute(values, 1));
+    // The same list keeps its place on the card.
+    if (this.geometries[0].getAttribute("value")?.array !== values) {
+      this.geometries[0].setAttribute("value", new this.kit.BufferAttribute(values, 1));
+    }
     const set = (name: string, value: unknown) => (this.skin.uniforms[name].value = value);
-    if (!field) return;
+    if (!field || empty) return;
     set("stops", stops(field, style, this.colours).flatMap(unit));
     set("low", field.low);
     set("high", field.high);
@@ -141,6 +152,11 @@ export class Surface {
     set("signs", field.signed);
     set("cut", field.cut);
     set("bands", style.bands);
+  }
+
+  /** The values of the field are others now. */
+  recoloured(): void {
+    this.geometries[0].getAttribute("value").needsUpdate = true;
   }
 
   /** Times the displacement; the undeformed part stays where it is. */
@@ -184,7 +200,7 @@ export function bandCount(field: Field): number {
   return Math.max(1, Math.ceil((field.high - field.low) / field.step - 1e-6));
 }
 
-function meanLength(part: Part): number {
+function meanLength(part: Drawable): number {
   const { edges, places } = part;
   let total = 0;
   for (let k = 0; k < edges.length; k += 2) {

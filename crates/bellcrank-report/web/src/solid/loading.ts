@@ -1,10 +1,11 @@
 // The solid drawing is a script of its own, packed (gzip, base64), and unpacked only when it is wanted.
 
+import { type Flexible, readFlexible } from "../flexible/data";
 import type { Facts } from "../scene/facts";
 import type { View } from "../view";
 
 /** What the packed script leaves behind: a maker of views, and what other drawings use of it. */
-export type MakeSolid = (facts: Facts) => View;
+export type MakeSolid = (facts: Facts, flexible: Flexible | null) => View;
 export type Kit = typeof import("./kit");
 
 declare global {
@@ -16,14 +17,18 @@ declare global {
   }
 }
 
-/** A solid view, or why there is none. */
-export async function solidView(facts: Facts): Promise<View | string> {
-  return made(() => window.bellcrankSolid?.(facts));
+const NO_GRAPHICS = "this browser has no WebGL 2";
+
+/** A solid view of the study of that index, or why there is none. */
+export async function solidView(facts: Facts, study: number): Promise<View | string> {
+  if (!hasWebGL()) return NO_GRAPHICS;
+  const flexible = await readFlexible(study);
+  return made(() => window.bellcrankSolid?.(facts, flexible));
 }
 
 /** What `make` makes once the script has run, or why there is nothing. */
 export async function made<T>(make: () => T | undefined): Promise<T | string> {
-  if (!hasWebGL()) return "this browser has no WebGL 2";
+  if (!hasWebGL()) return NO_GRAPHICS;
   try {
     await (window.bellcrankLoading ??= unpacked());
     return make() ?? "its script did not run";

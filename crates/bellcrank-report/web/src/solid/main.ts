@@ -4,4 +4,4 @@ import * as kit from "./kit";
 import { SolidView } from "./view";
 
 window.bellcrankKit = kit;
-window.bellcrankSolid = (facts) => new SolidView(facts);
+window.bellcrankSolid = (facts, flexible) => new SolidView(facts, flexible);

@@ -1,13 +1,17 @@
 // The solid drawing of a motion.
 
 import { Box3, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial, Scene, Vector3 } from "three";
+import { BAR, Cover, drawBar, drawLabels } from "../contour/overlay";
 import type { Solid, V3 } from "../data";
+import type { FlexibleChoice } from "../flexible/controls";
+import type { Flexible } from "../flexible/data";
 import type { Eye, V2 } from "../scene/camera";
 import type { Facts } from "../scene/facts";
 import { drawLegend } from "../scene/legend";
 import { FORCE, INK, Pen, REACTION } from "../scene/pen";
 import { Frame, places, someFrames } from "../scene/pose";
 import type { Shown, Side, Spot, View } from "../view";
+import { FlexibleLayer } from "./flexible";
 import { Arrow, axesMark, centerMark, Stretched, trailMark } from "./marks";
 import { Orbit } from "./orbit";
 import { bodyGeometry, edgeGeometries } from "./parts";
@@ -33,9 +37,20 @@ export class SolidView implements View, Eye {
   private readonly stretched: [number, Stretched][] = [];
   private readonly trails = new Map<string, Mesh | null>();
   private size: V2 = [1, 1];
+  /** Width that the view was fitted to. */
+  private fitted = 1;
 
-  constructor(private readonly facts: Facts) {
+  private readonly layer: FlexibleLayer | null;
+  private readonly cover = new Cover();
+  /** Which of the places around it each label of a hot spot took. */
+  private taken: number[] = [];
+
+  constructor(
+    private readonly facts: Facts,
+    flexible: Flexible | null,
+  ) {
     const { drawing } = facts;
+    this.layer = flexible && new FlexibleLayer(flexible);
     const [right, up, front] = drawing.axes;
     this.turned.set(...right, 0, ...up, 0, ...front, 0, 0, 0, 0, 1);
     const reach = this.reach();
@@ -49,12 +64,22 @@ export class SolidView implements View, Eye {
     this.applied = drawing.arrows.map(() => new Arrow(FORCE, 0.0075 * this.radius));
     this.reactions = drawing.joints.map(() => new Arrow(REACTION, 0.006 * this.radius));
     this.world.add(...this.bodies, ...this.applied, ...this.reactions);
+    if (this.layer) this.world.add(this.layer.group);
     this.addDistances();
     light(this.scene, sharedStudio(), this.radius);
     const low = reach.reduce((least, p) => Math.min(least, p.y), this.lowestOfGround());
     this.scene.add(this.world, floor(low - 0.003 * this.radius, this.radius, sharedStudio()));
     this.orbit = new Orbit([...reach, ...this.feet()], this.radius);
     if (drawing.planar) this.orbit.drag(40, -20, false);
+  }
+
+  get flexible(): FlexibleChoice | undefined {
+    return this.layer?.choice;
+  }
+
+  /** The canvas without the colour bar, px. */
+  private get room(): V2 {
+    return [Math.max(1, this.size[0] - (this.layer?.legend ? BAR : 0)), this.size[1]];
   }
 
   get scale(): number {
@@ -71,7 +96,8 @@ export class SolidView implements View, Eye {
 
   fit(size: V2): void {
     this.size = size;
-    this.orbit.fit(size);
+    this.fitted = this.room[0];
+    this.orbit.fit(this.room);
   }
 
   drag(dx: number, dy: number, move: boolean): void {
@@ -83,7 +109,7 @@ export class SolidView implements View, Eye {
   }
 
   reset(): void {
-    this.orbit.fit(this.size);
+    this.orbit.fit(this.room);
   }
 
   look(side: Side): void {
@@ -93,12 +119,16 @@ export class SolidView implements View, Eye {
   draw(context: CanvasRenderingContext2D, at: number, shown: Shown): Spot[] {
     const { drawing, motion } = this.facts;
     const frame = new Frame(motion, drawing.planar, at);
+    // The colour bar has come or gone.
+    if (this.fitted !== this.room[0]) this.fit(this.size);
     this.pose(frame);
+    this.layer?.show(at, this.orbit.scale);
     this.point(frame, shown);
     this.mark(shown);
     this.paint(context);
     const pen = new Pen(context);
-    drawLegend(pen, this, this.size);
+    drawLegend(pen, this, this.room);
+    if (this.layer) this.tell(this.layer, pen, at);
     if (shown.applied) this.nameForces(pen, frame);
     const spots = this.spots(frame);
     if (shown.names) spots.forEach((spot) => pen.text(spot.title, [spot.at[0] + 9, spot.at[1] - 8], INK, 12));
@@ -111,6 +141,7 @@ export class SolidView implements View, Eye {
     // Points of the ground on which nothing stands may be far away.
     const all = [...places(drawing).filter(([body]) => body !== 0), ...joints, ...motion.solids.flatMap(corners)];
     const seen = someFrames(motion, drawing.planar, 60).flatMap((frame) => all.map(([body, p]) => frame.place(body, p)));
+    seen.push(...(this.layer?.reach() ?? []));
     return seen.filter((p) => p.every(Number.isFinite)).map((p) => new Vector3(...p).applyMatrix4(this.turned));
   }
 
@@ -128,8 +159,11 @@ export class SolidView implements View, Eye {
   private body(index: number): Group {
     const { drawing, motion } = this.facts;
     const group = new Group();
+    // A flexible body is drawn by itself; its pins stay.
+    const stands = this.layer?.stands(index) ?? false;
+    const solids = motion.solids.filter((part) => !(stands && part.body === index && "surface" in part.shape));
     for (const metal of [false, true]) {
-      const geometry = bodyGeometry(motion.solids, index, metal, motion.solids.length < FINE_PARTS);
+      const geometry = bodyGeometry(solids, index, metal, motion.solids.length < FINE_PARTS);
       if (!geometry) continue;
       const surface = metal ? { roughness: 0.32, metalness: 0.75 } : { roughness: 0.5, metalness: 0.05 };
       const material = sharedStudio().room
@@ -139,7 +173,7 @@ export class SolidView implements View, Eye {
       mesh.castShadow = mesh.receiveShadow = true;
       group.add(mesh);
     }
-    for (const edges of edgeGeometries(motion.solids, index)) {
+    for (const edges of edgeGeometries(solids, index)) {
       group.add(new LineSegments(edges, new LineBasicMaterial({ color: 0x1c2733, transparent: true, opacity: 0.55 })));
     }
     const { center } = drawing.bodies[index];
@@ -217,6 +251,16 @@ export class SolidView implements View, Eye {
     this.trails.forEach((mark, name) => mark && (mark.visible = chosen.has(name)));
   }
 
+  /** What colours mean, and hot spots with their numbers. */
+  private tell(layer: FlexibleLayer, pen: Pen, at: number): void {
+    const { legend, flexible } = layer;
+    if (legend) drawBar(pen, legend, { rainbow: false, bands: true }, flexible.colours, this.size);
+    const labels = layer.labels(at, (p) => this.project(p));
+    if (labels.length === 0) return;
+    this.cover.take(sharedStudio().renderer.domElement, this.room);
+    this.taken = drawLabels(pen, labels, this.cover, this.room, this.taken);
+  }
+
   /** A quiet background, then what the renderer shows. */
   private paint(context: CanvasRenderingContext2D): void {
     const [width, height] = this.size;
@@ -227,12 +271,12 @@ export class SolidView implements View, Eye {
     context.fillRect(0, 0, width, height);
     const { renderer } = sharedStudio();
     const canvas = renderer.domElement;
+    const ratio = context.canvas.width / width;
+    const wanted: V2 = [Math.round(this.room[0] * ratio), context.canvas.height];
     // Setting a size, even the same one, clears the picture and costs time.
-    if (canvas.width !== context.canvas.width || canvas.height !== context.canvas.height) {
-      renderer.setSize(context.canvas.width, context.canvas.height, false);
-    }
+    if (canvas.width !== wanted[0] || canvas.height !== wanted[1]) renderer.setSize(...wanted, false);
     renderer.render(this.scene, this.orbit.camera);
-    context.drawImage(canvas, 0, 0, width, height);
+    context.drawImage(canvas, 0, 0, this.room[0], height);
   }
 
   private nameForces(pen: Pen, frame: Frame): void {
