@@ -148,6 +148,13 @@ pub(crate) fn checks(study: &StudyResult) -> Vec<Check<'_>> {
     closure.into_iter().chain(balance).collect()
 }
 
+/// A trust signal is beyond its limit, or a check of a flexible body.
+pub(crate) fn is_doubtful(study: &StudyResult) -> bool {
+    let bodies = study.flexible.iter().flat_map(|of| &of.bodies);
+    let failed = bodies.flat_map(|body| &body.checks).any(|check| check.passed() == Some(false));
+    failed || checks(study).iter().any(|check| !check.passed())
+}
+
 /// A residual in watts is judged by the power that flows; a pure number stands for itself.
 fn balance_scale(study: &StudyResult, balance: &Finding<'_>) -> f64 {
     if balance.column.unit.symbol.is_empty() {

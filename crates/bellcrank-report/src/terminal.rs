@@ -1,6 +1,7 @@
 //! The summary that a run prints: what an engineer reads at a glance.
 
 mod events;
+mod flexible;
 mod grid;
 mod kinds;
 mod paint;
@@ -67,13 +68,17 @@ impl Page<'_> {
             }
         }
         let happened = study.events.iter().flat_map(told::events::sentences);
-        for sentence in kinds::sentences(study).into_iter().chain(happened) {
+        let bends = study.flexible.iter().flat_map(told::flexible::sentences);
+        for sentence in kinds::sentences(study).into_iter().chain(bends).chain(happened) {
             text.push_str(&self.line(&sentence));
         }
         if let Some(why) = told::unmet(study) {
             text.push_str(&self.note("goal not reached", Ink::Yellow, &why));
         }
         for table in kinds::tables(study) {
+            text.push_str(&table.text(self.style));
+        }
+        for table in study.flexible.iter().flat_map(flexible::tables) {
             text.push_str(&table.text(self.style));
         }
         if let Some(happened) = &study.events {

@@ -4,6 +4,7 @@
 
 mod designs;
 pub(crate) mod events;
+pub(crate) mod flexible;
 pub(crate) mod modes;
 mod optimization;
 mod sensitivity;

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
 use bellcrank_results::{
-    RunResult, StudyResult, event_table, finding_tables, study_summary, write_csv, write_text_csv,
+    RunResult, StudyResult, event_table, finding_tables, flexible_tables, study_summary, write_csv, write_text_csv,
 };
 
 use crate::exports::{Exports, write_exports};
@@ -87,6 +87,7 @@ fn write_series(study: &StudyResult, path: PathBuf) -> Result<PathBuf, ReportErr
 fn write_tables(study: &StudyResult, folder: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let happened = study.events.as_ref().and_then(event_table).map(|table| ("events".to_owned(), table));
     let tables = study.findings.iter().flat_map(finding_tables).chain(happened);
+    let tables = tables.chain(study.flexible.iter().flat_map(flexible_tables));
     let write = |(stem, table)| {
         let path = folder.join(format!("{stem}.csv"));
         match File::create(&path).and_then(|file| write_text_csv(&table, file)) {

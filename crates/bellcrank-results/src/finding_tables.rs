@@ -1,10 +1,14 @@
 //! Findings as small tables of numbers and words: one file a table, for people with spreadsheets.
 
+mod flexible;
+
 use crate::summary::{change, rounded};
 use crate::{
     BodyModes, Candidate, Check, Event, Events, Field, Findings, Modes, Optimization, Sensitivity, Sizing, Stress,
     TextTable, Tolerance, Unit, heading,
 };
+
+pub use flexible::flexible_tables;
 
 /// The tables of a finding, each with the stem of its file: `sensitivity`, `curves`, `iterations`, ...
 ///

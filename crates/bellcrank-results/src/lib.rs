@@ -28,7 +28,7 @@ pub use contour::{Contour, ContourField, ContourMark, ContourShape};
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind, Surface};
 pub use events::{Ended, Event, EventKind, Events};
-pub use finding_tables::{event_table, finding_tables};
+pub use finding_tables::{event_table, finding_tables, flexible_tables};
 pub use findings::*;
 pub use folders::{file_stems, study_folders};
 pub use gltf::{upright, write_glb};

@@ -2,6 +2,7 @@
 
 mod events;
 mod findings;
+mod flexible;
 mod programme;
 mod values;
 
@@ -30,6 +31,9 @@ pub fn study_summary(study: &StudyResult) -> Value {
     }
     if let Some(of) = &study.programme {
         object.insert("programme".to_owned(), programme::moves(of));
+    }
+    if let Some(found) = &study.flexible {
+        object.insert("flexible".to_owned(), flexible::described(found));
     }
     if let Some(events) = &study.events {
         object.extend(events::keys(events));

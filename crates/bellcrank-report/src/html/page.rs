@@ -96,7 +96,7 @@ fn header(run: &RunResult) -> String {
 fn verdict(run: &RunResult) -> String {
     let count = |bad: fn(&StudyResult) -> bool| run.studies.iter().filter(|s| bad(s)).count();
     let stopped = count(|study| study.failure.is_some());
-    let doubtful = count(|study| findings::checks(study).iter().any(|check| !check.passed()));
+    let doubtful = count(findings::is_doubtful);
     let unmet = count(|study| told::unmet(study).is_some());
     let warned = run.warnings.len() + run.studies.iter().map(|s| s.warnings.len()).sum::<usize>();
     let (class, text) = if stopped > 0 {

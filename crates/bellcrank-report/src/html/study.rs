@@ -1,9 +1,9 @@
 //! One study, top to bottom.
 
-use bellcrank_results::{RunResult, StudyResult};
+use bellcrank_results::{Findings, RunResult, StudyResult};
 
 use super::page::{counted, warnings};
-use super::{Escaped, contours, data, events, glance, kinds, model, programme, reactions, sentence};
+use super::{Escaped, contours, data, events, flexible, glance, kinds, model, programme, reactions, sentence};
 use crate::findings::{self, Check};
 use crate::{FigureFile, PictureFile, number, told};
 
@@ -38,6 +38,7 @@ pub(crate) fn push_section(
     page.push_str(&unmet(study));
     page.push_str(&model::changed(&study.changed, &run.parameters));
     page.push_str(&kinds::findings(study, place.index, figures));
+    page.push_str(&flexible::section(study));
     page.push_str(&contours::section(study, drawn.pictures, place.index));
     page.push_str(&glance::glance(study));
     page.push_str(&programme::section(study, place.index, figures));
@@ -95,7 +96,9 @@ fn what(study: &StudyResult) -> String {
             .to_owned(),
         "statics" => "Equilibrium of weights, springs and applied forces".to_owned(),
         "dynamics" => "Motion in time under drives and forces".to_owned(),
-        "modes" if !study.contours.is_empty() => "Natural frequencies and mode shapes of an elastic body".to_owned(),
+        "modes" if matches!(study.findings, Some(Findings::BodyModes(_))) => {
+            "Natural frequencies and mode shapes of an elastic body".to_owned()
+        }
         "stress" => "Stress in elastic bodies, with its error".to_owned(),
         "modes" => "Natural frequencies, damping and mode shapes of the machine linearized".to_owned(),
         "sensitivity" => "Exact derivatives of a response with respect to parameters".to_owned(),

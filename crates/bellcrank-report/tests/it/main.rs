@@ -3,6 +3,7 @@
 #![allow(missing_docs, unreachable_pub, reason = "helpers of a test binary")]
 
 mod files;
+mod flexible;
 mod forward;
 mod html;
 mod kinds;

@@ -1,4 +1,6 @@
-//! A reader of tags, strict where a browser forgives.
+//! A reader of tags, strict where a browser forgives, and of what is packed between them.
+
+use std::io::Read;
 
 /// Elements that have no end tag.
 const VOID: [&str; 5] = ["meta", "link", "br", "input", "img"];
@@ -38,4 +40,23 @@ fn skip_raw<'a>(name: &str, rest: &'a str) -> &'a str {
 pub fn between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
     let start = page.find(from).unwrap_or_else(|| panic!("no {from}")) + from.len();
     &page[start..start + page[start..].find(to).unwrap()]
+}
+
+/// What a block of packed numbers holds.
+pub fn unpacked(text: &str) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    flate2::read::GzDecoder::new(&decoded(text)[..]).read_to_end(&mut bytes).unwrap();
+    bytes
+}
+
+/// Base64 without checks.
+fn decoded(text: &str) -> Vec<u8> {
+    const ALPHABET: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let six = |c: char| ALPHABET.find(c).unwrap() as u32;
+    let letters: Vec<u32> = text.trim_end_matches('=').chars().map(six).collect();
+    let four = |group: &[u32]| {
+        let bits = group.iter().enumerate().fold(0, |sum, (k, six)| sum | six << (18 - 6 * k));
+        bits.to_be_bytes()[1..group.len()].to_vec()
+    };
+    letters.chunks(4).flat_map(four).collect()
 }

@@ -1,11 +1,11 @@
 //! Pictures of parts: as files, in the page, and where there is nothing to draw.
 
-use std::io::{Cursor, Read};
+use std::io::Cursor;
 
 use bellcrank_report::{PictureFile, pictures, render_html, write_run};
 use bellcrank_results::{Contour, ContourShape, StudyResult};
 
-use crate::markup::{assert_balanced, between};
+use crate::markup::{assert_balanced, between, unpacked};
 use crate::sample::{lift, stress};
 
 const ABOVE: [u8; 3] = [0xd6, 0x1c, 0x8c];
@@ -73,21 +73,7 @@ fn held(page: &str, key: &str) -> (serde_json::Value, Vec<u8>) {
         serde_json::from_str(between(page, "id=\"bellcrank-contours\">", "</script>")).unwrap();
     let described = catalogue["contours"].as_array().unwrap().iter().find(|part| part["key"] == key).unwrap().clone();
     let packed = between(page, &format!("id=\"bellcrank-contour-{key}\">"), "</script>");
-    let mut bytes = Vec::new();
-    flate2::read::GzDecoder::new(&unpacked(packed)[..]).read_to_end(&mut bytes).unwrap();
-    (described, bytes)
-}
-
-/// Base64 without checks.
-fn unpacked(text: &str) -> Vec<u8> {
-    const ALPHABET: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let six = |c: char| ALPHABET.find(c).unwrap() as u32;
-    let letters: Vec<u32> = text.trim_end_matches('=').chars().map(six).collect();
-    let four = |group: &[u32]| {
-        let bits = group.iter().enumerate().fold(0, |sum, (k, six)| sum | six << (18 - 6 * k));
-        bits.to_be_bytes()[1..group.len()].to_vec()
-    };
-    letters.chunks(4).flat_map(four).collect()
+    (described, unpacked(packed))
 }
 
 #[test]

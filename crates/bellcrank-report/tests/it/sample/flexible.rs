@@ -1,6 +1,6 @@
 //! An elastic bar on a pin from closed forms: it swings under a drive, bends in its plane and twists.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use bellcrank_results::{
     Animation, Deformation, Drawing, DrawnBody, DrawnJoint, Fatigue, FlexibleBodies, FlexibleBody, FlexibleMotion,
@@ -23,6 +23,9 @@ fn state(t: f64) -> (f64, [f64; 2]) {
     let angle = 0.4 * (TAU * t / DURATION).sin() + 0.2;
     (angle, [3e-3 * (TAU * t / DURATION + 0.7).sin() + 5e-4 * (5.0 * TAU * t).sin(), 8e-3 * (3.0 * t).cos()])
 }
+
+/// Displacement and stress by place.
+type Solution = fn([f64; 3]) -> ([f64; 3], [f64; 6]);
 
 /// A cantilever under a force at its tip, scaled to a deflection of one: displacement and stress.
 fn bent([x, y, _]: [f64; 3]) -> ([f64; 3], [f64; 6]) {
@@ -50,7 +53,7 @@ pub fn motion(cells: [i32; 3], name: &str) -> FlexibleMotion {
     };
     let contour = shell.contour(name, place);
     let places: Vec<[f64; 3]> = contour.nodes.iter().map(|p| p.map(f64::from)).collect();
-    let shapes: [fn([f64; 3]) -> ([f64; 3], [f64; 6]); 2] = [bent, twisted];
+    let shapes: [Solution; 2] = [bent, twisted];
     let displacements = shapes.map(|of| places.iter().map(|p| of(*p).0.map(|x| x as f32)).collect()).to_vec();
     let stresses = shapes.map(|of| places.iter().map(|p| of(*p).1.map(|x| x as f32)).collect()).to_vec();
     let states: Vec<(f64, [f64; 2])> = times().iter().map(|t| state(*t)).collect();
@@ -152,7 +155,7 @@ pub fn bodies(motion: &FlexibleMotion) -> FlexibleBodies {
             singular: mark.doubtful.then_some("re-entrant edge"),
             signal: format!("body.bar.stress.{}", mark.label.replace(' ', ".")),
             fatigue: (!mark.doubtful).then_some(Fatigue {
-                damage: 3.2e-7,
+                damage: 3.2e-7 * (mark.history[peak] / 126e6).powi(3),
                 life: Some(3.1e6),
                 amplitude: 0.7 * mark.history[peak],
                 mean: 12e6,
@@ -250,9 +253,4 @@ pub fn run_of(motion: FlexibleMotion) -> RunResult {
 /// A bar of some thousand nodes.
 pub fn run() -> RunResult {
     run_of(motion([60, 8, 4], "bar"))
-}
-
-/// The largest turn of the bar, rad.
-pub fn reach() -> f64 {
-    times().iter().map(|t| state(*t).0).fold(-PI, f64::max)
 }
