@@ -234,6 +234,17 @@ impl<'a> Keyed<'a> {
         Some(Keyed::new(fields, schema, self.space))
     }
 
+    /// `true` or `false`, or a table of its own.
+    pub(crate) fn switch(&self, name: &'static str) -> Option<Switch<'a>> {
+        let Shape::Switch(schema) = self.key(name)?.shape else { return None };
+        let value = self.value(name)?;
+        if value.as_table().is_none() {
+            return self.reader().boolean(value, &self.named(name)).map(|flag| Switch::Flag(flag.value));
+        }
+        let fields = self.reader().fields(value, &self.named(name))?;
+        Some(Switch::Table(Keyed::new(fields, schema, self.space)))
+    }
+
     /// An axis: a letter, or a vector of the space (three components are accepted in the plane, too).
     pub(crate) fn axis(&self, name: &'static str) -> Option<Axis> {
         let value = self.value(name)?;
@@ -355,6 +366,12 @@ fn what_to_write(schema: &'static Schema, kind: Option<&str>, space: usize, key:
         (_, "connects", _) => "two points: `connects = [\"ground.O\", \"crank.O\"]`".to_owned(),
         _ => format!("`{key}`: {}", found.doc.trim_end_matches(" (required)")),
     })
+}
+
+/// `true`, `false` or a table.
+pub(crate) enum Switch<'a> {
+    Flag(bool),
+    Table(Keyed<'a>),
 }
 
 /// An axis as written.

@@ -16,6 +16,7 @@ mod disk;
 mod drawing;
 mod elastic;
 mod error;
+mod flex;
 mod geometry;
 mod improve;
 mod keyed;

@@ -184,6 +184,7 @@ impl Model {
     }
 
     fn execute(&self, study: &Study, options: &RunOptions, progress: &mut dyn Progress) -> StudyResult {
+        self.design().reductions.set(options);
         match &study.task {
             Task::Ask(ask) => ask::run(self.design(), &self.parts.studies, study, ask, options, progress),
             Task::Parts(of) => elastic::run(self.design(), &self.parts.studies, study, of, options, progress),

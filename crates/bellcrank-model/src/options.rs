@@ -11,6 +11,8 @@ pub struct RunOptions {
     pub folder: Option<PathBuf>,
     /// Files that studies of parts leave of their meshes.
     pub meshes: MeshFormats,
+    /// Where reductions of flexible bodies are kept from run to run; `None` keeps them in memory alone.
+    pub cache: Option<PathBuf>,
     /// Begin anew even where an interrupted study could go on.
     pub fresh: bool,
 }

@@ -112,6 +112,13 @@ pub(crate) struct RunArgs {
     /// Begin interrupted sweeps anew, instead of going on behind their last design.
     #[arg(long)]
     pub(crate) fresh: bool,
+    /// Where reductions of flexible bodies are kept from run to run; `BELLCRANK_CACHE`, or the folder for caches of the
+    /// platform, unless given.
+    #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
+    pub(crate) cache: Option<PathBuf>,
+    /// Keep no reductions, and use none that are kept.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
     /// Print the summaries as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,

@@ -41,6 +41,8 @@ pub(crate) struct RunConfig {
     /// 0 is one a core.
     pub(crate) threads: usize,
     pub(crate) fresh: bool,
+    /// Where reductions are kept; `None` for nowhere.
+    pub(crate) cache: Option<PathBuf>,
 }
 
 /// Where the improved model goes.
@@ -72,6 +74,7 @@ impl RunConfig {
             printed,
             threads: args.threads.map_or(0, usize::from),
             fresh: args.fresh,
+            cache: crate::cache::folder(args),
         })
     }
 }

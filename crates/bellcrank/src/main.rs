@@ -4,6 +4,7 @@
 //! become an exit code here and nowhere else.
 
 mod args;
+mod cache;
 mod commands;
 mod config;
 mod console;

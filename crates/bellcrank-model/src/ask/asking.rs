@@ -24,11 +24,12 @@ impl<'d> Asking<'d> {
     /// A machine to try designs on.
     pub(crate) fn trial(&self, asked: Asked) -> Trial<'d> {
         Trial::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
+            .deforming(self.study.flexible)
     }
 
     /// The same of a study that only its own run can solve.
     pub(crate) fn plain(&self, asked: Asked) -> Plain<'d> {
-        Plain::new(self.design, self.of, &self.study.parameters, &self.ask.signals, asked)
+        Plain::new(self.design, self.of, &self.study.parameters, self.study.flexible, &self.ask.signals, asked)
     }
 
     /// Coordinates that rest where assembly puts them: neither the study nor a start says where.

@@ -57,6 +57,7 @@ fn with_own_parameters(asking: &Asking<'_>) -> Study {
         span: of.span,
         kind: of.kind,
         task: of.task.clone(),
+        flexible: own.flexible,
         parameters: own.parameters.clone(),
         changed: own.changed.clone(),
         named: Vec::new(),

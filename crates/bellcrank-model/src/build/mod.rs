@@ -2,6 +2,7 @@
 
 mod bodies;
 mod faults;
+mod flexible;
 mod forces;
 mod forward;
 mod frames;
@@ -15,13 +16,14 @@ mod studies;
 use std::fmt::Arguments;
 
 use bellcrank_doc::{Diagnostic, Span};
-use bellcrank_multibody::{Blueprint, Engine, engine_for};
+use bellcrank_multibody::{Blueprint, Engine, Place, engine_for};
 
 use crate::design::{Components, Design, Direction, Quantity, Values};
 use crate::geometry::Geometry;
 use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
+pub(crate) use flexible::{Deforming, deform, picked};
 pub(crate) use forward::idle_velocities;
 pub(crate) use materials::{ElasticNumbers, MaterialNumbers, material, material_faults};
 pub(crate) use plausible::{implausible, implausible_study};
@@ -36,6 +38,8 @@ pub(crate) struct Built<T = f64> {
     pub(crate) geometry: Geometry<T>,
     /// What the solids came to, by body.
     solids: Vec<Kept<T>>,
+    /// Bodies that deform, in the order of the blueprint's; none in a machine that was built rigid.
+    pub(crate) flexible: Vec<Deforming>,
 }
 
 impl<T: Scalar> Built<T> {
@@ -55,7 +59,12 @@ impl<T: Scalar> Built<T> {
             flexible: Vec::new(),
             inputs: 0,
         };
-        Built { blueprint, geometry: Geometry { points: Vec::new(), spans: Vec::new() }, solids: Vec::new() }
+        Built {
+            blueprint,
+            geometry: Geometry { points: Vec::new(), spans: Vec::new() },
+            solids: Vec::new(),
+            flexible: Vec::new(),
+        }
     }
 }
 
@@ -75,14 +84,24 @@ pub(crate) fn rebuild<T: Scalar>(
 ) -> bool {
     let before = faults.len();
     let mut numbers = Numbers { design, values, faults };
-    let Built { blueprint, geometry, solids } = built;
+    let Built { blueprint, geometry, solids, flexible } = built;
+    blueprint.flexible.clear();
+    flexible.clear();
     blueprint.inputs = design.inputs.len();
     blueprint.gravity = numbers.vector(&design.gravity, format_args!("`gravity`"));
     bodies::points(&mut numbers, &mut geometry.points);
     bodies::bodies(&mut numbers, &geometry.points, solids, &mut blueprint.bodies);
     joints::joints(&mut numbers, &geometry.points, &mut blueprint.joints);
     forces::forces(&mut numbers, geometry, &mut blueprint.forces);
+    flexible::faults(&mut numbers, &geometry.points);
     faults.len() == before
+}
+
+/// The frames of all points of all bodies, as far as their numbers are sound.
+pub(crate) fn points(design: &Design, values: &Values) -> Vec<Vec<Place<f64>>> {
+    let (mut points, mut faults) = (Vec::new(), Vec::new());
+    bodies::points(&mut Numbers { design, values, faults: &mut faults }, &mut points);
+    points
 }
 
 /// A mechanism of a blueprint, or what keeps it from being one.

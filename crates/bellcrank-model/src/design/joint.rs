@@ -64,7 +64,7 @@ pub(crate) fn coordinates(kind: &str, planar: bool) -> &'static [Motion] {
 }
 
 impl Direction {
-    fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
+    pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
         if let super::Components::Given(components) = &self.components {
             components.iter().for_each(visit);
         }

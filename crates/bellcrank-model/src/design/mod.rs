@@ -2,6 +2,8 @@
 
 mod ask;
 mod dynamics;
+#[allow(dead_code, reason = "beams and the run loop follow")]
+mod flexible;
 mod force;
 mod joint;
 mod motion;
@@ -21,6 +23,7 @@ pub(crate) use ask::{
     Varied,
 };
 pub(crate) use dynamics::{Dynamics, Modes, ROWS, Stepping, StopWhen};
+pub(crate) use flexible::{Beam, Flexible, Kept, Rod, Section, holds};
 pub(crate) use force::{Axes, Force, ForceShape, Input, Load};
 pub(crate) use joint::{Joint, JointShape, coordinates};
 pub(crate) use motion::{Goal, Law, Mark, Origin, Prescribed, Segment, SegmentKind, Start, moved};
@@ -47,6 +50,8 @@ pub(crate) struct Design {
     pub(crate) bodies: Vec<Body>,
     pub(crate) materials: Vec<Material>,
     pub(crate) solids: Vec<Solid>,
+    #[allow(dead_code, reason = "beams and the run loop follow")]
+    pub(crate) beams: Vec<Beam>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) forces: Vec<Force>,
     pub(crate) inputs: Vec<Input>,
@@ -59,6 +64,8 @@ pub(crate) struct Design {
     pub(crate) input_signals: Vec<crate::signals::Signal>,
     /// What the files say, part by part.
     pub(crate) written: Vec<crate::written::Section>,
+    /// Reductions of its flexible bodies, as they are needed.
+    pub(crate) reductions: crate::flex::Store,
 }
 
 /// A body; the first one is the ground.
@@ -71,6 +78,10 @@ pub(crate) struct Body {
     pub(crate) inertia: Option<Vec<Quantity>>,
     /// What mass, centre and inertia come from in place of numbers.
     pub(crate) solid: Option<Worn>,
+    /// The same of a rod.
+    pub(crate) rod: Option<Rod>,
+    /// It deforms.
+    pub(crate) flexible: Option<Flexible>,
     pub(crate) points: Vec<Point>,
     /// It is of a planar file.
     pub(crate) planar: bool,
@@ -96,6 +107,21 @@ pub(crate) enum Rotation {
     About { axis: Direction, angle: Quantity },
     Quaternion(Vec<Quantity>),
     Rpy(Vec<Quantity>),
+}
+
+impl Rotation {
+    /// Every value in it.
+    #[allow(dead_code, reason = "beams and the run loop follow")]
+    pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
+        match self {
+            Rotation::None => {}
+            Rotation::About { axis, angle } => {
+                axis.each_quantity(visit);
+                visit(angle);
+            }
+            Rotation::Quaternion(values) | Rotation::Rpy(values) => values.iter().for_each(visit),
+        }
+    }
 }
 
 /// An axis.

@@ -139,8 +139,7 @@ type Visit<'v> = &'v mut dyn FnMut(&Quantity);
 impl Parts {
     /// Every value in it.
     pub(crate) fn each_quantity(&self, visit: Visit<'_>) {
-        let MeshForm { size, bores, fillets, .. } = &self.mesh;
-        [size, bores, fillets].into_iter().flatten().for_each(&mut *visit);
+        self.mesh.each_quantity(visit);
         let PartQuestion::Stress(stress) = &self.question else { return };
         if let At::Nearest { value, .. } = &stress.at {
             visit(value);

@@ -14,6 +14,8 @@ pub(crate) struct Study {
     /// As in the file.
     pub(crate) kind: &'static str,
     pub(crate) task: Task,
+    /// Bodies that are flexible are so in it.
+    pub(crate) flexible: bool,
     /// The main file's parameters in this study.
     pub(crate) parameters: ParameterSet,
     /// Parameters that differ from the model's.

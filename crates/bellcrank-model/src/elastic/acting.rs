@@ -100,6 +100,8 @@ fn with_own_parameters(asked: &Asked<'_>, of: &Study) -> Study {
         span: of.span,
         kind: of.kind,
         task: of.task.clone(),
+        // Loads on a part are those of the rigid machine.
+        flexible: false,
         parameters: asked.study.parameters.clone(),
         changed: asked.study.changed.clone(),
         named: Vec::new(),

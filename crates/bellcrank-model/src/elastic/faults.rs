@@ -4,10 +4,11 @@ use bellcrank_doc::Diagnostic;
 use bellcrank_fem::{Fault, FreeMotion, MaterialFault};
 use bellcrank_mesh::{Mesh, MesherError};
 
+use super::acting::Pin;
 use super::problem::Problem;
 use super::vector::V3;
 use super::{End, ended};
-use crate::design::Design;
+use crate::design::{Design, HoldForm, LoadForm, SupportForm};
 use crate::measure::Measure;
 use crate::run::shown;
 
@@ -32,7 +33,10 @@ pub(super) fn no_material(design: &Design, body: usize, report: Option<&Diagnost
 }
 
 pub(super) fn material(design: &Design, body: usize, fault: MaterialFault) -> End {
-    let name = &design.bodies[body].name;
+    material_of(&design.bodies[body].name, fault)
+}
+
+fn material_of(name: &str, fault: MaterialFault) -> End {
     let why = match fault {
         MaterialFault::Modulus(_) => "a modulus is not positive".to_owned(),
         MaterialFault::Incompressible => "`poisson` is 0.5: it keeps its volume".to_owned(),
@@ -63,9 +67,54 @@ pub(super) fn no_set(body: &str, set: &str, mesh: &Mesh, faces: bool) -> End {
     ended(message, format!("its sets are {}", names.join(", ")))
 }
 
+/// Names of what the solver refers to by number.
+pub(crate) struct Words<'a> {
+    design: &'a Design,
+    body: &'a str,
+    /// Hinges and what else takes hold, by name or in words; they come first among the couplings.
+    pins: Vec<String>,
+    /// By name, those that hold a set as a whole, which are couplings as well, marked.
+    supports: Vec<(&'a str, bool)>,
+    /// By name, those that are spread by a coupling.
+    loads: Vec<&'a str>,
+}
+
 impl Problem<'_> {
     /// What the solver found wrong.
     pub(super) fn refused(&self, mesh: &Mesh, faults: &[Fault]) -> End {
+        self.words().refused(mesh, faults)
+    }
+
+    fn words(&self) -> Words<'_> {
+        let hinge = |pin: &Pin| match pin.name.as_str() {
+            "" => pin.from.join(", "),
+            name => format!("the hinge at `{name}`"),
+        };
+        let framed = |one: &SupportForm| matches!(one.hold, HoldForm::Frame { .. });
+        let spread = |one: &&LoadForm| !one.bearing && (!one.force.is_empty() || !one.moment.is_empty());
+        Words {
+            design: self.asked.design,
+            body: self.name(),
+            pins: self.acting.pins.iter().map(hinge).collect(),
+            supports: self.supports.iter().map(|one| (one.name.as_str(), framed(one))).collect(),
+            loads: self.loads.iter().filter(spread).map(|one| one.name.as_str()).collect(),
+        }
+    }
+}
+
+impl<'a> Words<'a> {
+    /// Of a body that nothing but interfaces holds.
+    pub(crate) fn of_interfaces(
+        design: &'a Design,
+        body: &'a str,
+        interfaces: impl Iterator<Item = &'a str>,
+    ) -> Words<'a> {
+        let pins = interfaces.map(|name| format!("interface `{name}`")).collect();
+        Words { design, body, pins, supports: Vec::new(), loads: Vec::new() }
+    }
+
+    /// What the solver found wrong.
+    pub(crate) fn refused(&self, mesh: &Mesh, faults: &[Fault]) -> End {
         let mut message = String::new();
         let mut hints: Vec<String> = Vec::new();
         for fault in faults {
@@ -80,16 +129,16 @@ impl Problem<'_> {
     }
 
     fn told(&self, mesh: &Mesh, fault: &Fault) -> (String, String) {
-        let body = self.name();
+        let body = self.body;
         let at = |node: u32| self.place(mesh.nodes[node as usize]);
-        let support = |index: usize| self.supports.get(index).map_or(String::new(), |one| format!("`{}`", one.name));
+        let support = |index: usize| self.supports.get(index).map_or(String::new(), |(name, _)| format!("`{name}`"));
         let say = |message: String, hint: &str| (message, hint.to_owned());
         match fault {
             Fault::NoElements => say(format!("the mesh of body `{body}` has no elements"), ""),
             Fault::Materials { blocks, materials } => {
                 say(format!("the mesh of body `{body}` has {blocks} blocks and {materials} materials"), "")
             }
-            Fault::Material { fault, .. } => (material(self.asked.design, self.body, *fault).message, String::new()),
+            Fault::Material { fault, .. } => (material_of(body, *fault).message, String::new()),
             Fault::Inverted { block, element, .. } => {
                 let place = self.place(mesh.center_of((*block as u32, *element as u32)));
                 let hint = "smaller elements there follow the curves better; or choose the other kind of `element`";
@@ -198,28 +247,19 @@ impl Problem<'_> {
 
     /// Couplings are those of the pins, then of supports, then of loads.
     fn coupling_name(&self, index: usize) -> String {
-        let pins = self.acting.pins.len();
-        let framed = |one: &&crate::design::SupportForm| matches!(one.hold, crate::design::HoldForm::Frame { .. });
-        let supports: Vec<_> = self.supports.iter().filter(framed).collect();
-        let spread = |one: &&crate::design::LoadForm| !one.bearing && (!one.force.is_empty() || !one.moment.is_empty());
-        if let Some(pin) = self.acting.pins.get(index) {
-            return if pin.name.is_empty() { pin.from.join(", ") } else { format!("the hinge at `{}`", pin.name) };
+        let framed: Vec<&str> = self.supports.iter().filter(|(_, framed)| *framed).map(|(name, _)| *name).collect();
+        if let Some(pin) = self.pins.get(index) {
+            return pin.clone();
         }
-        if let Some(support) = supports.get(index - pins) {
-            return format!("support `{}`", support.name);
+        let index = index - self.pins.len();
+        if let Some(support) = framed.get(index) {
+            return format!("support `{support}`");
         }
-        let load = self.loads.iter().filter(spread).nth(index - pins - supports.len());
-        load.map_or_else(String::new, |load| format!("load `{}`", load.name))
+        self.loads.get(index - framed.len()).map_or_else(String::new, |load| format!("load `{load}`"))
     }
 
-    pub(super) fn place(&self, at: V3) -> String {
-        let unit = self.asked.design.units.of(Measure::Length);
-        let numbers = at.map(|x| {
-            let rounded: f64 = format!("{:.3e}", unit.show(x)).parse().unwrap_or(f64::NAN);
-            // What is left of nothing by rounding is nothing.
-            if x.abs() < 1e-12 { "0".to_owned() } else { format!("{rounded}") }
-        });
-        format!("[{}] {}", numbers.join(", "), unit.symbol)
+    fn place(&self, at: V3) -> String {
+        place(self.design, at)
     }
 
     fn free(&self, motion: &FreeMotion) -> String {
@@ -227,7 +267,7 @@ impl Problem<'_> {
             FreeMotion::Along(direction) => format!("free to move along {}", direction_name(*direction)),
             FreeMotion::About { axis, point, pitch } => {
                 let advance = if pitch.abs() > 1e-9 {
-                    let unit = self.asked.design.units.of(Measure::Length);
+                    let unit = self.design.units.of(Measure::Length);
                     format!(", advancing by {} a turn", shown(pitch * std::f64::consts::TAU, &unit))
                 } else {
                     String::new()
@@ -237,6 +277,17 @@ impl Problem<'_> {
             }
         }
     }
+}
+
+/// A place of a body with its unit.
+fn place(design: &Design, at: V3) -> String {
+    let unit = design.units.of(Measure::Length);
+    let numbers = at.map(|x| {
+        let rounded: f64 = format!("{:.3e}", unit.show(x)).parse().unwrap_or(f64::NAN);
+        // What is left of nothing by rounding is nothing.
+        if x.abs() < 1e-12 { "0".to_owned() } else { format!("{rounded}") }
+    });
+    format!("[{}] {}", numbers.join(", "), unit.symbol)
 }
 
 /// `x`, or the components.

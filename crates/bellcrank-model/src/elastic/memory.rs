@@ -8,7 +8,7 @@ const A_NODE: usize = 6_000;
 const USUAL_NODES: usize = 500_000;
 
 /// Bytes; `None` where the system does not say.
-pub(super) fn allowed() -> Option<usize> {
+pub(crate) fn allowed() -> Option<usize> {
     let text = std::fs::read_to_string("/proc/meminfo").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
     let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
@@ -16,6 +16,6 @@ pub(super) fn allowed() -> Option<usize> {
 }
 
 /// A mesh of more nodes is not worth making.
-pub(super) fn most_nodes() -> usize {
+pub(crate) fn most_nodes() -> usize {
     allowed().map_or(USUAL_NODES, |bytes| bytes / A_NODE)
 }

@@ -7,14 +7,15 @@ use bellcrank_results::MeshRow;
 use super::vector::V3;
 use super::{Asked, End, faults};
 use crate::build::{Form, solid_of};
-use crate::design::{Design, Plane, Quantity, SolidForm};
+use crate::design::{Design, MeshForm, Plane, Quantity, SolidForm, Values};
 
 /// The solid of a body and what is said of its mesh.
-pub(super) struct Solid {
-    pub(super) form: Form,
+#[derive(Debug)]
+pub(crate) struct Solid {
+    pub(crate) form: Form,
     /// Names of its eyes.
-    pub(super) eyes: Vec<String>,
-    pub(super) shape: Shape,
+    pub(crate) eyes: Vec<String>,
+    pub(crate) shape: Shape,
     size: Option<f64>,
     bores: Option<f64>,
     fillets: Option<f64>,
@@ -23,12 +24,14 @@ pub(super) struct Solid {
 
 impl Solid {
     pub(super) fn new(asked: &Asked<'_>, body: usize) -> Result<Solid, End> {
-        let design = asked.design;
+        Solid::of(asked.design, &asked.study.values, &asked.parts.mesh, body)
+    }
+
+    pub(crate) fn of(design: &Design, values: &Values, wish: &MeshForm, body: usize) -> Result<Solid, End> {
         let mut reports = Vec::new();
-        let form = solid_of(design, &asked.study.values, body, &mut reports);
+        let form = solid_of(design, values, body, &mut reports);
         let form = form.ok_or_else(|| faults::no_form(design, body, reports.first()))?;
-        let of = |quantity: &Option<Quantity>| quantity.as_ref().map(|one| one.eval::<f64>(&asked.study.values));
-        let wish = &asked.parts.mesh;
+        let of = |quantity: &Option<Quantity>| quantity.as_ref().map(|one| one.eval::<f64>(values));
         Ok(Solid {
             form,
             eyes: eyes(design, body),
@@ -41,7 +44,7 @@ impl Solid {
     }
 
     /// Meshes it, with sizes (body axes) that a former solution asks for.
-    pub(super) fn mesh(&self, wanted: Option<&SizeField>, most_nodes: usize) -> Result<Mesh, End> {
+    pub(crate) fn mesh(&self, wanted: Option<&SizeField>, most_nodes: usize) -> Result<Mesh, End> {
         let plane = match &self.form {
             Form::Stack { plane, .. } => *plane,
             Form::Revolved(_) | Form::Mesh(_) => Plane::Xy,

@@ -28,10 +28,14 @@ use crate::model::parameter_row;
 use crate::progress::Progress;
 use crate::{MeshFormats, RunOptions};
 
-pub(crate) use meshing::ENDS;
+pub(crate) use faults::Words;
+pub(crate) use memory::{allowed, most_nodes};
+pub(crate) use meshing::{ENDS, Solid};
+pub(crate) use problem::{material_of, near};
+pub(crate) use watched::watched;
 
 /// Why a study ends early.
-type End = Box<Failure>;
+pub(crate) type End = Box<Failure>;
 
 /// A study of parts with everything around it.
 #[derive(Clone, Copy)]
@@ -83,7 +87,7 @@ fn named(study: &Study, failure: Failure) -> Failure {
     Failure { message, hints: failure.hints }
 }
 
-fn ended(message: impl Into<String>, hint: impl Into<String>) -> End {
+pub(crate) fn ended(message: impl Into<String>, hint: impl Into<String>) -> End {
     let hint: String = hint.into();
     let hints = if hint.is_empty() { Vec::new() } else { vec![hint] };
     Box::new(Failure { message: message.into(), hints })

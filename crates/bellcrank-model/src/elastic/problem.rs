@@ -8,7 +8,7 @@ use super::meshing::Solid;
 use super::vector::{V3, add, cross, norm, scale, sub};
 use super::{Asked, End, faults};
 use crate::build::{self, ElasticNumbers, Form};
-use crate::design::{Hinges, HoldForm, LoadForm, Quantity, StressForm, SupportForm};
+use crate::design::{Design, Hinges, HoldForm, LoadForm, Quantity, StressForm, SupportForm, Values};
 
 /// One body of a study.
 pub(super) struct Problem<'d> {
@@ -51,11 +51,20 @@ struct Bore {
 
 /// The material of a body as the solver takes it, and its yield strength.
 pub(super) fn material(asked: &Asked<'_>, body: usize, solid: &Solid) -> Result<(Material, Option<f64>), End> {
-    let design = asked.design;
+    material_of(asked.design, &asked.study.values, body, solid)
+}
+
+/// The same at some values.
+pub(crate) fn material_of(
+    design: &Design,
+    values: &Values,
+    body: usize,
+    solid: &Solid,
+) -> Result<(Material, Option<f64>), End> {
     let of = design.bodies[body].solid.as_ref().and_then(|worn| design.solids.get(worn.solid));
     let place = of.and_then(|of| of.material);
     let mut reports = Vec::new();
-    let numbers = place.and_then(|place| build::material(design, &asked.study.values, place, &mut reports));
+    let numbers = place.and_then(|place| build::material(design, values, place, &mut reports));
     let Some((numbers, elastic)) = numbers.and_then(|numbers| Some((numbers.clone(), numbers.elastic?))) else {
         return Err(faults::no_material(design, body, reports.first()));
     };
@@ -121,7 +130,7 @@ impl<'d> Problem<'d> {
 
     fn grip(&self, setup: &mut Setup<'_>, index: usize, pin: &Pin) -> Grip {
         let mesh = setup.part.mesh;
-        let bore = self.bore_at(mesh, pin.at).filter(|_| !pin.name.is_empty());
+        let bore = self.solid.bore_at(mesh, pin.at).filter(|_| !pin.name.is_empty());
         let rigid = setup.hinges == Hinges::Rigid && bore.is_some();
         let kind = if rigid { CouplingKind::Rigid } else { CouplingKind::Distributing };
         let faces = match &bore {
@@ -143,21 +152,6 @@ impl<'d> Problem<'d> {
     /// Whether anything acts at a pin in any row.
     fn acts(&self, pin: usize) -> bool {
         self.acting.rows.iter().flatten().any(|row| row.wrenches[pin].iter().any(|x| *x != 0.0))
-    }
-
-    /// The faces of the bores whose axis goes through a place, and that axis.
-    fn bore_at(&self, mesh: &Mesh, at: V3) -> Option<(Vec<Face>, V3)> {
-        const SAME: f64 = 1e-4;
-        let Form::Stack { stack, plane } = &self.solid.form else { return found_bore(mesh, at) };
-        let [right, up, _] = plane.axes();
-        let through = stack.bores.iter().filter(|bore| {
-            let apart = (bore.center[0] - at[right]).hypot(bore.center[1] - at[up]);
-            apart <= SAME * bore.diameter
-        });
-        let names = through.filter_map(|bore| self.solid.eyes.get(bore.eye));
-        let faces: Vec<Face> =
-            names.filter_map(|name| mesh.face_sets.get(&format!("bore.{name}"))).flatten().copied().collect();
-        (!faces.is_empty()).then(|| (faces, self.solid.axis()))
     }
 
     /// The axis of the bore that a set is.
@@ -263,6 +257,23 @@ impl<'d> Problem<'d> {
     }
 }
 
+impl Solid {
+    /// The faces of the bores whose axis goes through a place, and that axis.
+    pub(crate) fn bore_at(&self, mesh: &Mesh, at: V3) -> Option<(Vec<Face>, V3)> {
+        const SAME: f64 = 1e-4;
+        let Form::Stack { stack, plane } = &self.form else { return found_bore(mesh, at) };
+        let [right, up, _] = plane.axes();
+        let through = stack.bores.iter().filter(|bore| {
+            let apart = (bore.center[0] - at[right]).hypot(bore.center[1] - at[up]);
+            apart <= SAME * bore.diameter
+        });
+        let names = through.filter_map(|bore| self.eyes.get(bore.eye));
+        let faces: Vec<Face> =
+            names.filter_map(|name| mesh.face_sets.get(&format!("bore.{name}"))).flatten().copied().collect();
+        (!faces.is_empty()).then(|| (faces, self.axis()))
+    }
+}
+
 impl Setup<'_> {
     /// The loads of a row.
     pub(super) fn row(&self, row: &RowLoads, pins: &[Pin]) -> Vec<Load> {
@@ -344,7 +355,7 @@ fn centroid(mesh: &Mesh, faces: &[Face]) -> V3 {
 }
 
 /// Faces of the surface that are nearest to a place: all within twice the distance of the first, and those beside it.
-fn near(mesh: &Mesh, at: V3) -> Vec<Face> {
+pub(crate) fn near(mesh: &Mesh, at: V3) -> Vec<Face> {
     let faces = mesh.boundary();
     let measured: Vec<(f64, f64)> = faces
         .iter()

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 const PAUSE: Duration = Duration::from_millis(50);
 
 /// Does the work; its progress counts from one share of the study to another.
-pub(super) fn watched<T: Send>(
+pub(crate) fn watched<T: Send>(
     progress: &mut dyn Progress,
     [from, to]: [f64; 2],
     message: &str,

@@ -2,9 +2,10 @@
 
 use bellcrank_doc::{Diagnostic, Span, Spanned, Value};
 
+use super::flexible;
 use super::points::{self, Owner};
 use super::{Machine, PartReader, grounds};
-use crate::design::{Body, Quantity, Worn};
+use crate::design::{Body, Quantity, Rod, Worn};
 use crate::keyed::Keyed;
 use crate::names::{self, Index};
 use crate::schema::BODY;
@@ -36,7 +37,18 @@ pub(crate) fn entries<'a>(part: &PartReader<'a>, key: &str) -> Vec<&'a bellcrank
 }
 
 fn massless(name: String, span: Span) -> Body {
-    Body { name, span, mass: None, center: None, inertia: None, solid: None, points: Vec::new(), planar: false }
+    Body {
+        name,
+        span,
+        mass: None,
+        center: None,
+        inertia: None,
+        solid: None,
+        rod: None,
+        flexible: None,
+        points: Vec::new(),
+        planar: false,
+    }
 }
 
 fn add(machine: &mut Machine, body: Body) -> usize {
@@ -53,6 +65,7 @@ fn add(machine: &mut Machine, body: Body) -> usize {
 
 fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span, value: &Value) {
     let mut body = Body { planar: part.planar, ..massless(part.full(key), span) };
+    let mut flexible = None;
     if let Some(fields) = part.reader.fields(value, &format!("body `{key}`")) {
         let keyed = Keyed::new(fields, &BODY, part.space());
         let owner = Owner { what: format!("body `{key}`"), prefix: String::new(), base: None };
@@ -63,14 +76,16 @@ fn read_body(part: PartReader<'_>, machine: &mut Machine, key: &str, span: Span,
         body.center = keyed.vector("center").map(|center| part.quantities(center));
         body.inertia = inertia(part, &keyed);
         body.solid = solid(part, machine, &keyed);
-        check_later(part, &keyed);
+        body.rod = rod(part, machine, &keyed);
+        flexible = flexible::read(part, &keyed, &body);
         if key != "ground" {
             check_inertia(&keyed, &body);
         }
         keyed.finish();
     }
     if machine.body(&body.name).is_none() {
-        add(machine, body);
+        let body = add(machine, body);
+        machine.deforming.extend(flexible.map(|form| form.of(body)));
     }
 }
 
@@ -105,7 +120,7 @@ fn inertia(part: PartReader<'_>, keyed: &Keyed<'_>) -> Option<Vec<Quantity>> {
 fn check_inertia(keyed: &Keyed<'_>, body: &Body) {
     let Some(mass) = &body.mass else { return };
     let always_massless = mass.expression.as_constant() == Some(0.0);
-    if keyed.has("inertia") || keyed.has("solid") || always_massless {
+    if ["inertia", "solid", "beam"].into_iter().any(|key| keyed.has(key)) || always_massless {
         return;
     }
     let message = format!("`inertia` is missing in {}, which has a mass", keyed.what());
@@ -116,7 +131,7 @@ fn check_inertia(keyed: &Keyed<'_>, body: &Body) {
 /// The solid of a body; its points are found when all bodies are there.
 fn solid(part: PartReader<'_>, machine: &Machine, keyed: &Keyed<'_>) -> Option<Worn> {
     let name = keyed.text("solid")?;
-    check_numbers(keyed, name);
+    check_numbers(keyed, name, "a solid");
     match machine.solid_names.find(name.value, part.prefix(), "solid", name.span) {
         Ok(solid) => Some(Worn { solid, span: name.span, points: Vec::new() }),
         Err(report) => {
@@ -126,21 +141,32 @@ fn solid(part: PartReader<'_>, machine: &Machine, keyed: &Keyed<'_>) -> Option<W
     }
 }
 
-/// Mass properties come from a solid or from numbers.
-fn check_numbers(keyed: &Keyed<'_>, name: Spanned<&str>) {
+/// The beam of a body; its ends are found when all bodies are there.
+fn rod(part: PartReader<'_>, machine: &Machine, keyed: &Keyed<'_>) -> Option<Rod> {
+    let name = keyed.text("beam")?;
+    check_numbers(keyed, name, "a beam");
+    if let Some(solid) = keyed.value("solid") {
+        let message = format!("{} has a solid and a beam", keyed.what());
+        let report = Diagnostic::error("conflicting-keys", name.span, message).also(solid.span, "the solid");
+        keyed.report(report.hint("leave out one; two parts that are one body in the machine are two bodies, welded"));
+    }
+    match machine.beam_names.find(name.value, part.prefix(), "beam", name.span) {
+        Ok(beam) => Some(Rod { beam, span: name.span, ends: [0, 0] }),
+        Err(report) => {
+            part.reader.report(*report);
+            None
+        }
+    }
+}
+
+/// Mass properties come from a solid, a beam or from numbers.
+fn check_numbers(keyed: &Keyed<'_>, name: Spanned<&str>, from: &str) {
     let given: Vec<&'static str> = ["mass", "center", "inertia"].into_iter().filter(|key| keyed.has(key)).collect();
     let Some(first) = given.first().and_then(|key| keyed.value(key)) else { return };
     let names: Vec<String> = given.iter().map(|key| format!("`{key}`")).collect();
-    let message = format!("{} has its mass properties from a solid and from {}", keyed.what(), names.join(", "));
-    let report = Diagnostic::error("conflicting-keys", first.span, message).also(name.span, "the solid");
+    let message = format!("{} has its mass properties from {from} and from {}", keyed.what(), names.join(", "));
+    let report = Diagnostic::error("conflicting-keys", first.span, message).also(name.span, &from["a ".len()..]);
     keyed.report(
         report.hint("leave out one or the other; what the solid leaves out can be a body of its own, welded on"),
     );
-}
-
-fn check_later(part: PartReader<'_>, keyed: &Keyed<'_>) {
-    if let Some(value) = keyed.value("flexible") {
-        let message = format!("{} counts as rigid: flexible bodies are not in this version", keyed.what());
-        part.reader.report(Diagnostic::warning("not-in-this-version", value.span, message));
-    }
 }

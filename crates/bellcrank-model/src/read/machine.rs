@@ -3,8 +3,11 @@
 use bellcrank_doc::{Diagnostic, Diagnostics, Reader, Span};
 use bellcrank_multibody::{Coordinate, JointId};
 
-use super::{Files, PartReader, Tables, bodies, forces, joints, materials, motions, planes, solids, studies, units};
-use crate::design::{Body, Design, Joint, Material, PointRef, Quantity, Solid, Study, coordinates};
+use super::flexible::{self, Deforming};
+use super::{
+    Files, PartReader, Tables, beams, bodies, forces, joints, materials, motions, planes, solids, studies, units,
+};
+use crate::design::{Beam, Body, Design, Joint, Material, PointRef, Quantity, Solid, Study, coordinates};
 use crate::keyed::Keyed;
 use crate::measure::{DisplayUnits, Motion};
 use crate::names::Index;
@@ -18,11 +21,15 @@ pub(crate) struct Machine {
     pub(crate) bodies: Vec<Body>,
     pub(crate) materials: Vec<Material>,
     pub(crate) solids: Vec<Solid>,
+    pub(crate) beams: Vec<Beam>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) body_names: Index,
     pub(crate) joint_names: Index,
     pub(crate) material_names: Index,
     pub(crate) solid_names: Index,
+    pub(crate) beam_names: Index,
+    /// Bodies that deform, as far as they are read: what takes hold of them is not known before forces are.
+    pub(super) deforming: Vec<Deforming>,
     /// Points by the name of their body: that of a subsystem's ground leads to the body that carries it.
     pub(crate) point_names: Vec<Index>,
     /// Where the points of a body of this name are: body, and what stands before their names there.
@@ -189,6 +196,7 @@ pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Di
         bodies: machine.bodies,
         materials: machine.materials,
         solids: machine.solids,
+        beams: machine.beams,
         joints: machine.joints,
         forces: forces.forces,
         inputs: forces.inputs,
@@ -199,6 +207,7 @@ pub(crate) fn read_model(files: Files, tables: &Tables<'_>, diagnostics: &mut Di
         catalogue: forces.catalogue,
         scopes,
         written: sections(&parts),
+        reductions: crate::flex::Store::default(),
     };
     Some(ReadModel { title: head.title, design, studies })
 }
@@ -236,11 +245,14 @@ fn read_parts<'a>(
     let mut machine = Machine::default();
     materials::read(&all, &mut machine);
     solids::read(&all, &mut machine);
+    beams::read(&all, &mut machine);
     bodies::read(&all, &mut machine);
+    beams::fit(&all, &mut machine);
     solids::fit(&all, &mut machine);
     joints::read(&all, &mut machine);
     planes::hold(&all, &mut machine);
     let forces = forces::read(&all, &machine);
+    flexible::fit(all[0].reader, &mut machine, &forces.forces);
     let motions = motions::read(&all, &machine, tables);
     let studies = studies::read(all[0], &machine, &motions, tables, &forces.catalogue, scopes);
     Some((head?, machine, forces, motions, studies))

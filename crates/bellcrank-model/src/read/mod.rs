@@ -4,9 +4,11 @@
 //! file may refer to what its subsystems hold.
 
 mod asks;
+mod beams;
 mod bodies;
 mod context;
 mod files;
+mod flexible;
 mod forces;
 mod forward_keys;
 mod grounds;

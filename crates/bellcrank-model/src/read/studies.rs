@@ -168,7 +168,7 @@ impl Finishing<'_> {
         let entry = self.entries[index];
         let (parameters, changed) = parameters(self.of, &keys.set)?;
         let task = Tasks { entry, kind, of: self.of, signals: &self.signals }.task(keys.clone())?;
-        Some(self.study(entry, kind, task, parameters, changed))
+        Some(self.study(entry, kind, task, parameters, changed, keys.flexible))
     }
 
     /// A study that asks another one: its parameters are those of that study, and what it sets itself.
@@ -188,7 +188,7 @@ impl Finishing<'_> {
         // Of dynamics only what runs it as it is: derivatives and drawn machines are worked out position by position.
         let answered = asked_kind != "dynamics" || matches!(kind, "sizing" | "sweep");
         let task = if answered { Task::Ask(Box::new(ask)) } else { Task::Later };
-        Some(self.study(entry, kind, task, parameters, changed))
+        Some(self.study(entry, kind, task, parameters, changed, keys.flexible.or(asked_keys.flexible)))
     }
 
     /// A study of parts that another study loads: its parameters are those of that study, and what it sets itself.
@@ -209,7 +209,7 @@ impl Finishing<'_> {
         }
         finished[other?].as_ref()?;
         let (parameters, changed) = parameters(self.of, &overlaid(beneath.set.clone(), keys.set.clone()))?;
-        Some(self.study(entry, kind, task?, parameters, changed))
+        Some(self.study(entry, kind, task?, parameters, changed, keys.flexible.or(beneath.flexible)))
     }
 
     /// The study that another one asks: one with rows.
@@ -245,10 +245,13 @@ impl Finishing<'_> {
         task: Task,
         parameters: ParameterSet,
         changed: Vec<usize>,
+        flexible: Option<bool>,
     ) -> Study {
+        let flexible = flexible.unwrap_or(true);
         let named = if let Task::Ask(ask) = &task { ask.parameters() } else { Vec::new() };
         let values = Values::new(self.scopes, &parameters);
-        Study { name: entry.key.clone(), span: entry.key_span, kind, task, parameters, changed, named, values }
+        let (name, span) = (entry.key.clone(), entry.key_span);
+        Study { name, span, kind, task, flexible, parameters, changed, named, values }
     }
 }
 

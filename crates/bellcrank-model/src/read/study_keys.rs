@@ -30,6 +30,8 @@ pub(crate) struct StudyKeys {
     pub(crate) motions: Option<Vec<usize>>,
     pub(crate) drives: Option<Vec<Coordinate>>,
     pub(crate) set: Vec<Override>,
+    /// `false` for a machine whose bodies are rigid.
+    pub(crate) flexible: Option<bool>,
     /// Of studies of dynamics and modes alone.
     pub(crate) forward: ForwardKeys,
     /// Of studies of parts alone.
@@ -110,6 +112,7 @@ impl StudyKeys {
             motions: read_motions(keyed, of),
             drives: read_drives(keyed, of),
             set: read_set(keyed),
+            flexible: keyed.boolean("flexible").map(|flag| flag.value),
             forward: ForwardKeys::read(keyed, of, &beneath.forward),
             parts: PartKeys::read(keyed, of),
             ask: AskKeys::read(keyed, of, &beneath.ask),
@@ -133,6 +136,7 @@ impl StudyKeys {
             motions: self.motions.or(beneath.motions.filter(|_| !hide_time)),
             drives: self.drives.or(beneath.drives.filter(|_| !hide_time)),
             set: overlaid(beneath.set, self.set),
+            flexible: self.flexible.or(beneath.flexible),
             forward: self.forward.over(beneath.forward, fixed_step),
             parts: self.parts.over(beneath.parts),
             ask: self.ask.over(beneath.ask),

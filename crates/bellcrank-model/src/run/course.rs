@@ -48,7 +48,7 @@ impl<'d> Assembly<'_, 'd> {
         needed: &[(Coordinate, f64)],
         wished: &[(Coordinate, f64)],
     ) -> Result<Assembled, MechanismError> {
-        let exact_starts = self.built.blueprint.joints.iter().any(|joint| joint.at_start);
+        let exact_starts = self.design.joints.iter().any(|joint| joint.at_start);
         let all: Vec<(Coordinate, f64)> = needed.iter().chain(wished).copied().collect();
         let first = if exact_starts { needed } else { &all };
         match self.engine.assemble(first) {

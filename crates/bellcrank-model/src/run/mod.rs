@@ -43,9 +43,12 @@ pub(crate) fn run_watched(
     watch: Watch<'_>,
 ) -> StudyResult {
     let begun = Instant::now();
-    let mut result = match Session::new(design, study) {
-        Ok(session) => {
+    let ready = crate::flex::prepare(design, study, progress);
+    let ready = ready.and_then(|notes| Ok((notes, Session::new(design, study, study.flexible)?)));
+    let mut result = match ready {
+        Ok((notes, session)) => {
             let mut session = session.watched(watch);
+            session.result.warnings.extend(notes);
             let end = execute(&mut session, study, progress);
             session.finish(end.err())
         }

@@ -18,7 +18,7 @@ pub(crate) fn programme(design: &Design, study: &Study) -> Option<Programme> {
         _ => return None,
     };
     let (motions, holds) = study.task.prescribed();
-    let mut session = Session::new(design, study).ok()?;
+    let mut session = Session::new(design, study, false).ok()?;
     let course = session.begin(path, holds, motions).ok()?;
     session.laws(&course).programme().and_then(|programme| moves(design, programme))
 }

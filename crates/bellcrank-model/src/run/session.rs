@@ -15,6 +15,7 @@ use super::notes::Notes;
 use super::recorder::Recorder;
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Study, Task};
+use crate::flex;
 use crate::measure::Measure;
 use crate::model::parameter_row;
 use crate::signals::{Level, View};
@@ -52,9 +53,13 @@ struct Effort {
 }
 
 impl<'d> Session<'d> {
-    pub(super) fn new(design: &'d Design, study: &'d Study) -> Result<Session<'d>, End> {
+    /// With bodies that deform, or all of them rigid.
+    pub(super) fn new(design: &'d Design, study: &'d Study, flexible: bool) -> Result<Session<'d>, End> {
         let mut faults = Vec::new();
-        let built = build::build(design, &study.values, &mut faults).ok_or_else(|| refused(faults.first()))?;
+        let mut built = build::build(design, &study.values, &mut faults).ok_or_else(|| refused(faults.first()))?;
+        if flexible {
+            flex::deform(design, &study.values, &study.values, &mut built)?;
+        }
         let engine = build::engine(design, &built).map_err(|fault| refused(Some(&fault)))?;
         let inputs = Inputs::new(design);
         let result = StudyResult {

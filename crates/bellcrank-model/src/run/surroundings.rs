@@ -6,6 +6,7 @@ use super::course::{Laws, Targets};
 use super::inputs::{Evaluated, Inputs};
 use crate::build;
 use crate::design::{Design, Quantity, ScopeId, StopWhen, Study, Values};
+use crate::flex;
 use crate::geometry::Geometry;
 use crate::signals::{Level, Probe, Signal, View};
 
@@ -148,7 +149,10 @@ impl Exact {
             study.values.of(ScopeId(0)).iter().enumerate().map(|(index, &value)| (index, Seeded::from_re(value)));
         let fixed: Vec<(usize, Seeded)> = fixed.collect();
         let values = Values::with(&design.scopes, &study.parameters, &fixed);
-        let built = build::build(design, &values, &mut Vec::new())?;
+        let mut built = build::build(design, &values, &mut Vec::new())?;
+        if study.flexible {
+            flex::deform(design, &study.values, &values, &mut built).ok()?;
+        }
         Some(Exact { geometry: built.geometry, values, inputs: Inputs::new(design) })
     }
 }

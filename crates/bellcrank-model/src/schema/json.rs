@@ -155,6 +155,7 @@ fn shape(of: Shape) -> Value {
         }
         Shape::Directions => json!({ "type": "object", "additionalProperties": { "enum": DIRECTIONS } }),
         Shape::Table(schema) => object(schema),
+        Shape::Switch(schema) => json!({ "anyOf": [{ "type": "boolean" }, object(schema)] }),
         Shape::Tables(schema) => json!({ "type": "array", "items": object(schema) }),
         Shape::Named(schema) => json!({ "type": "object", "additionalProperties": object(schema) }),
         Shape::Points => reference("points"),
@@ -169,7 +170,6 @@ fn shape(of: Shape) -> Value {
         Shape::Outline(corner) => {
             json!({ "type": "array", "items": { "anyOf": [{ "type": "string" }, reference("vector"), object(corner)] } })
         }
-        Shape::Later => json!({}),
     }
 }
 

@@ -90,6 +90,8 @@ pub(crate) enum Shape {
     Directions,
     /// A table of its own.
     Table(&'static Schema),
+    /// `true` or `false`, or a table of its own.
+    Switch(&'static Schema),
     /// A list of tables.
     Tables(&'static Schema),
     /// A table of named tables.
@@ -110,8 +112,6 @@ pub(crate) enum Shape {
     Pairs(Dimension),
     /// A list of corners: places, or tables of what is said of each.
     Outline(&'static Schema),
-    /// Anything; read in another version.
-    Later,
 }
 
 /// What may stand in place of the table that is said of a parameter.

@@ -1,6 +1,7 @@
 //! The format as data: one table of keys for the reader, the JSON Schema and the hints.
 
 mod asks;
+mod flexible;
 mod joints_and_forces;
 mod json;
 mod keys;
@@ -11,6 +12,7 @@ mod studies;
 mod tables;
 
 pub(crate) use asks::{ASKING, LIMITS, LOADING, OBJECTIVE, RANGE, SCATTER, VARIABLE, WITH_ROWS};
+pub(crate) use flexible::BEAM;
 pub(crate) use joints_and_forces::{FORCE, JOINT};
 pub use json::schema;
 pub(crate) use keys::{AXES, Along, DIRECTIONS, Key, Schema, Shape};

@@ -9,7 +9,7 @@ use super::keys::{Key, Schema};
 const ELEMENTS: &[&str] = &["wedge15", "tet10"];
 /// How a pin bears in its bore.
 const HINGES: &[&str] = &["bearing", "distributing", "rigid"];
-const COUPLINGS: &[&str] = &["distributing", "rigid"];
+pub(super) const COUPLINGS: &[&str] = &["distributing", "rigid"];
 
 const fn plain(name: &'static str, doc: &'static str, keys: &'static [Key]) -> Schema {
     Schema { name, doc, keys, kinds: &[], usual: None }
@@ -65,7 +65,7 @@ static ACCURACY: Schema = plain(
     ],
 );
 
-static MESH: Schema = plain(
+pub(super) static MESH: Schema = plain(
     "mesh",
     "Sizes of elements.",
     &[

@@ -3,6 +3,7 @@
 use bellcrank_doc::Dimension as D;
 
 use super::asks::{DESIGNS, OF, OPTIMIZE, SENSITIVITY, TOLERANCE};
+use super::flexible::FLEXIBLE_STUDY;
 use super::keys::Shape::{Boolean, Comparisons, Map, Name, Names, NamesOrMap, OneOf, Table, Value, Whole};
 use super::keys::{Key, Kind, Schema};
 use super::parts::{self, STRESS};
@@ -88,6 +89,7 @@ pub(crate) static STUDY: Schema = Schema {
     keys: &[
         Key::optional("like", Name, "another study that this one starts from"),
         Key::optional("set", Map, "other values for parameters in this study"),
+        FLEXIBLE_STUDY,
     ],
     kinds: &[
         kind("kinematics", "positions, velocities and accelerations", OVER_POSITIONS_OR_TIME),

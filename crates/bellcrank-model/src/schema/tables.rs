@@ -2,9 +2,10 @@
 
 use bellcrank_doc::Dimension as D;
 
+use super::flexible::{BEAM, FLEXIBLE};
 use super::joints_and_forces::{FORCE, JOINT};
 use super::keys::Shape::{
-    Axis, Later, List, Map, Name, Named, OneOf, Parameters, Points, Table, Tables, Text, Value, Values, Vector,
+    Axis, List, Map, Name, Named, OneOf, Parameters, Points, Switch, Table, Tables, Text, Value, Values, Vector,
     Version, Whole,
 };
 use super::keys::{Along, Key, Schema, Shape};
@@ -26,7 +27,7 @@ pub(crate) static MODEL: Schema = plain(
         Key::optional("units", Table(&UNITS), "display units"),
         Key::optional("parameters", Parameters, "named values that everything else may use"),
         Key::optional("ground", Table(&GROUND), "the body that does not move"),
-        Key::optional("bodies", Named(&BODY), "rigid bodies"),
+        Key::optional("bodies", Named(&BODY), "bodies"),
         Key::optional("joints", Named(&JOINT), "joints and constraints"),
         Key::optional("forces", Named(&FORCE), "force elements; weight is always there"),
         Key::optional("motions", Named(&MOTION), "coordinates prescribed in time"),
@@ -34,6 +35,7 @@ pub(crate) static MODEL: Schema = plain(
         Key::optional("subsystems", Named(&SUBSYSTEM), "other model files as parts of this machine"),
         Key::optional("materials", Named(&MATERIAL), "materials of solids"),
         Key::optional("solids", Named(&SOLID), "parts as solids, which mass properties come from"),
+        Key::optional("beams", Named(&BEAM), "straight rods of one section, which mass properties come from"),
     ],
 );
 
@@ -65,7 +67,7 @@ pub(crate) static GROUND: Schema = plain(
 
 pub(crate) static BODY: Schema = plain(
     "body",
-    "A rigid body. Without a mass it is massless.",
+    "A body, rigid unless it is `flexible`. Without a mass it is massless.",
     &[
         Key::optional("mass", Value(D::MASS), "mass"),
         Key::optional("center", Vector(D::LENGTH), "centre of mass, body axes; the origin unless given"),
@@ -77,7 +79,8 @@ pub(crate) static BODY: Schema = plain(
         ),
         Key::optional("points", Points, "named points"),
         Key::optional("solid", Name, "the solid that the mass properties come from"),
-        Key::optional("flexible", Later, "deformation modes"),
+        Key::optional("beam", Name, "the beam that the mass properties come from"),
+        Key::optional("flexible", Switch(&FLEXIBLE), "how it deforms: `true`, or a table; rigid unless given"),
     ],
 );
 

@@ -56,8 +56,8 @@ impl<T: Real> View<'_, T> {
             Source::Reaction(joint) => self.reaction(joint, &mut out),
             Source::Point { body, point } => {
                 let at = self.geometry.points.get(body).and_then(|points| points.get(point));
-                let at = at.map_or([T::zero(); 3], |place| place.position);
-                self.point(&self.readings.point(BodyId(body), at), &mut out);
+                let (on, at) = at.map_or((BodyId(body), [T::zero(); 3]), |place| (place.body, place.position));
+                self.point(&self.readings.point(on, at), &mut out);
             }
             Source::Body(body) => self.body(BodyId(body), &mut out),
             Source::Force(force) => self.force(force, &mut out),

@@ -11,6 +11,7 @@ use super::extremes::Peak;
 use super::machine::{Trial, Undefined, refused};
 use crate::build::{self, Built};
 use crate::design::{ScopeId, Task, Values};
+use crate::flex;
 use crate::run::{Evaluated, Inputs, Laws, Targets};
 use crate::scalar::{Exact, Scalar};
 use crate::signals::{Level, Probe, Signal, Source, View, reaction_components};
@@ -114,6 +115,9 @@ impl<'d> Trial<'d> {
         let mut faults = Vec::new();
         if !build::rebuild(self.design, &tangents.values, &mut tangents.built, &mut faults) {
             return Err(refused(faults.first()));
+        }
+        if self.flexible {
+            flex::deform(self.design, &self.values, &tangents.values, &mut tangents.built)?;
         }
         let (Some(course), Some(engine)) = (&self.course, self.engine.as_deref_mut()) else {
             return Err(refused(None));

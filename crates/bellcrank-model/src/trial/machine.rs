@@ -8,6 +8,7 @@ use super::extremes::{Peak, climb, peaks};
 use super::turning::{Turning, turnings};
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Over, ScopeId, Study, Task, Values};
+use crate::flex;
 use crate::run::{Assembly, Course, Evaluated, Inputs, Laws, Namer, Path, Places, Targets, failure};
 use crate::signals::{Level, Probe, Signal, Source, View};
 
@@ -20,6 +21,12 @@ pub(crate) struct Undefined {
 
 /// Local maxima that are followed as candidates.
 pub(super) const CANDIDATES: usize = 8;
+
+impl From<crate::elastic::End> for Undefined {
+    fn from(end: crate::elastic::End) -> Undefined {
+        Undefined { message: end.message, hints: end.hints }
+    }
+}
 
 /// Where a reduction takes its value.
 #[derive(Clone, Debug, Default)]
@@ -35,6 +42,8 @@ pub(crate) struct Trial<'d> {
     pub(super) design: &'d Design,
     pub(super) of: &'d Study,
     pub(super) parameters: &'d ParameterSet,
+    /// Bodies deform in it that are flexible.
+    pub(super) flexible: bool,
     pub(super) asked: Asked,
     pub(super) signals: &'d [Signal],
     pub(super) level: Level,
@@ -87,6 +96,7 @@ impl<'d> Trial<'d> {
             design,
             of,
             parameters,
+            flexible: of.flexible,
             asked,
             signals,
             level,
@@ -110,6 +120,11 @@ impl<'d> Trial<'d> {
             turnings: turnings(design, signals, &used),
             positions: 0,
         }
+    }
+
+    /// With all bodies rigid, whatever the study says, or not.
+    pub(crate) fn deforming(self, flexible: bool) -> Trial<'d> {
+        Trial { flexible, ..self }
     }
 
     /// The responses of one design, in the order they were asked: the parameters of `fixed` have those values (SI),
@@ -146,6 +161,9 @@ impl<'d> Trial<'d> {
         let mut faults = Vec::new();
         if !build::rebuild(self.design, &self.values, &mut self.built, &mut faults) {
             return Err(refused(faults.first()));
+        }
+        if self.flexible {
+            flex::deform(self.design, &self.values, &self.values, &mut self.built)?;
         }
         self.renew()?;
         self.begin_course()

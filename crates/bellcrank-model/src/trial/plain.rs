@@ -15,6 +15,7 @@ pub(crate) struct Plain<'d> {
     design: &'d Design,
     of: &'d Study,
     parameters: &'d ParameterSet,
+    flexible: bool,
     signals: &'d [Signal],
     asked: Asked,
     numbers: Vec<f64>,
@@ -28,10 +29,11 @@ impl<'d> Plain<'d> {
         design: &'d Design,
         of: &'d Study,
         parameters: &'d ParameterSet,
+        flexible: bool,
         signals: &'d [Signal],
         asked: Asked,
     ) -> Plain<'d> {
-        Plain { design, of, parameters, signals, asked, numbers: Vec::new(), rows: 0 }
+        Plain { design, flexible, of, parameters, signals, asked, numbers: Vec::new(), rows: 0 }
     }
 
     /// The responses of one design, in the order they were asked: the parameters of `fixed` have those values (SI),
@@ -45,6 +47,7 @@ impl<'d> Plain<'d> {
             span: self.of.span,
             kind: self.of.kind,
             task: self.of.task.clone(),
+            flexible: self.flexible,
             parameters: self.parameters.clone(),
             changed: Vec::new(),
             named: Vec::new(),

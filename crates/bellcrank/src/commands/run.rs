@@ -57,7 +57,7 @@ fn refusal(error: RunError) -> Refusal {
 
 fn compute(model: &Model, config: &RunConfig, out: &Path, mut watch: Watch) -> Result<RunResult, Refusal> {
     let (threads, meshes, fresh) = (config.threads, config.meshes, config.fresh);
-    let options = RunOptions { threads, folder: Some(out.to_owned()), meshes, fresh };
+    let options = RunOptions { threads, folder: Some(out.to_owned()), meshes, fresh, cache: config.cache.clone() };
     let result = model.run_all(&config.studies, &options, &mut watch);
     watch.finish();
     result.map_err(refusal)

@@ -5,6 +5,7 @@ use bellcrank_doc::{Diagnostic, Entry, Spanned, Value, ValueKind};
 use super::acting;
 use crate::design::{Accuracy, At, Hinges, LoadForm, MeshForm, SupportForm};
 use crate::keyed::Keyed;
+use crate::read::PartReader;
 use crate::read::study_keys::Referred;
 
 /// Meshes after the first, unless given.
@@ -37,14 +38,14 @@ impl PartKeys {
                 at: keyed.value("at").and_then(|value| at(value, keyed, of)),
                 hinges: keyed.choice("hinges").map(|word| Hinges::named(word.value)),
                 accuracy: keyed.table("stress").and_then(accuracy),
-                mesh: keyed.table("mesh").map(|table| mesh(table, of)),
+                mesh: keyed.table("mesh").map(|table| mesh(table, of.part)),
                 supports: named(keyed, "supports", |entry| acting::support(entry, keyed, of)),
                 loads: named(keyed, "loads", |entry| acting::load(entry, keyed, of)),
                 ..PartKeys::default()
             },
             Some("modes") => PartKeys {
                 bodies: bodies(keyed, of),
-                mesh: keyed.table("mesh").map(|table| mesh(table, of)),
+                mesh: keyed.table("mesh").map(|table| mesh(table, of.part)),
                 count: keyed.whole("modes").and_then(|count| usize::try_from(count.value).ok()),
                 fixed: keyed.texts("fixed").map(|names| names.into_iter().map(owned).collect()),
                 ..PartKeys::default()
@@ -174,8 +175,9 @@ fn share(keyed: &Keyed<'_>, name: &'static str) -> Option<f64> {
     None
 }
 
-fn mesh(keyed: Keyed<'_>, of: Referred<'_>) -> MeshForm {
-    let quantity = |name| keyed.quantity(name).map(|value| of.part.quantity(value));
+/// Sizes of elements.
+pub(crate) fn mesh(keyed: Keyed<'_>, part: PartReader<'_>) -> MeshForm {
+    let quantity = |name| keyed.quantity(name).map(|value| part.quantity(value));
     let form = MeshForm {
         size: quantity("size"),
         bores: quantity("bores"),

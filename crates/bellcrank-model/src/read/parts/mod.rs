@@ -6,4 +6,4 @@ mod finish;
 mod keys;
 
 pub(crate) use finish::parts;
-pub(crate) use keys::PartKeys;
+pub(crate) use keys::{PartKeys, mesh};

@@ -1,0 +1,137 @@
+//! Bodies that deform, put into a machine that was built rigid.
+//!
+//! A flexible body keeps its place among the bodies of the blueprint: it carries the floating frame, which goes with the
+//! reference interface. Every other interface becomes a massless body behind those of the design, and an elastic joint
+//! behind the joints of the design; what takes hold of the body there takes hold of that one. So ids of the design stay.
+
+mod columns;
+mod grips;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use bellcrank_multibody::{
+    Blueprint, Body as BodyNumbers, BodyId, Coordinate, Flexible as FlexibleNumbers, Joint as JointNumbers, JointId,
+    JointKind, Place,
+};
+
+use super::{Built, frames};
+use crate::design::{Design, Flexible, Values};
+use crate::flex::{Found, Origin, Reduced};
+use crate::scalar::Scalar;
+
+pub(crate) use columns::picked;
+pub(super) use grips::faults;
+use grips::{Grip, take_hold};
+
+/// A flexible body of the engine, and where it comes from.
+#[allow(dead_code, reason = "beams and the run loop follow")]
+#[derive(Clone, Debug)]
+pub(crate) struct Deforming {
+    /// Body of the design.
+    pub(crate) body: usize,
+    /// Its coordinates in the order of the shapes: those of interfaces, then `modes`.
+    pub(crate) coordinates: Vec<Coordinate>,
+    pub(crate) modes: usize,
+    /// Column of the reduction of each coordinate.
+    pub(crate) columns: Vec<usize>,
+    /// The solid that it was reduced from.
+    pub(crate) reduced: Arc<Reduced>,
+    pub(crate) origin: Origin,
+}
+
+/// Part of critical damping in every natural mode, unless given: welded and bolted steel has 0.005 to 0.02.
+const DAMPING: f64 = 0.01;
+
+/// Appends to a blueprint.
+struct Appending<'a, T> {
+    planar: bool,
+    blueprint: &'a mut Blueprint<T>,
+}
+
+/// Makes those bodies of a rigid machine deform that have a reduction.
+pub(crate) fn deform<T: Scalar>(design: &Design, values: &Values<T>, built: &mut Built<T>, found: &[(usize, Found)]) {
+    for (body, found) in found {
+        let Some(form) = design.bodies.get(*body).and_then(|body| body.flexible.as_ref()) else { continue };
+        let damping = form.damping.as_ref().map_or(T::from_f64(DAMPING), |damping| damping.eval(values));
+        solid(design, built, *body, form, damping, found);
+    }
+}
+
+fn solid<T: Scalar>(
+    design: &Design,
+    built: &mut Built<T>,
+    body: usize,
+    form: &Flexible,
+    damping: T,
+    Found { reduced, origin, .. }: &Found,
+) {
+    let at: Vec<[T; 3]> =
+        form.interfaces.iter().map(|point| built.geometry.points[body][point.value].position).collect();
+    let modes = reduced.modes();
+    let columns = columns::kept(at.len(), form.reference, modes, design.planar);
+    let mut numbers = reduced.numbers(&columns).map(T::from_f64);
+    numbers.damping.iter_mut().for_each(|entry| *entry = *entry * damping);
+    numbers.body = BodyId(body);
+    let mut appending = Appending { planar: design.planar, blueprint: &mut built.blueprint };
+    let mut grips = vec![Grip { at: at[form.reference], body: BodyId(body) }];
+    for (_, at) in at.into_iter().enumerate().filter(|(place, _)| *place != form.reference) {
+        let (joint, interface) = appending.interface(BodyId(body), at);
+        numbers.interfaces.push(joint);
+        grips.push(Grip { at, body: interface });
+    }
+    numbers.modes = (modes > 0).then(|| appending.modes(BodyId(body), modes));
+    let coordinates = appending.coordinates(&numbers, modes);
+    appending.flexible(numbers);
+    take_hold(design, built, body, &grips);
+    let (reduced, origin) = (Arc::clone(reduced), *origin);
+    built.flexible.push(Deforming { body, coordinates, modes, columns, reduced, origin });
+}
+
+impl<T: Scalar> Appending<'_, T> {
+    fn massless(&mut self) -> BodyId {
+        let zero = T::zero();
+        self.blueprint.bodies.push(BodyNumbers { mass: zero, center: [zero; 3], inertia: [[zero; 3]; 3] });
+        BodyId(self.blueprint.bodies.len() - 1)
+    }
+
+    /// An interface of a body at a place in its axes.
+    fn interface(&mut self, of: BodyId, at: [T; 3]) -> (JointId, BodyId) {
+        let interface = self.massless();
+        let joint = self.joint(JointKind::Elastic, of, at, interface, if self.planar { 3 } else { 6 });
+        (joint, interface)
+    }
+
+    fn modes(&mut self, of: BodyId, count: usize) -> JointId {
+        let carrier = self.massless();
+        self.joint(JointKind::Modes { count }, of, [T::zero(); 3], carrier, count)
+    }
+
+    /// Undeformed at first, and held so while the machine is assembled.
+    fn joint(&mut self, kind: JointKind<T>, of: BodyId, at: [T; 3], to: BodyId, coordinates: usize) -> JointId {
+        let place = |body, position| Place { body, position, rotation: frames::identity() };
+        self.blueprint.joints.push(JointNumbers {
+            kind,
+            places: Some([place(of, at), place(to, [T::zero(); 3])]),
+            start: vec![Some(T::zero()); coordinates],
+            at_start: true,
+        });
+        JointId(self.blueprint.joints.len() - 1)
+    }
+
+    fn coordinates(&self, numbers: &FlexibleNumbers<T>, modes: usize) -> Vec<Coordinate> {
+        let each = if self.planar { 3 } else { 6 };
+        let all = |joint: JointId, count: usize| (0..count).map(move |index| Coordinate { joint, index });
+        let of_interfaces = numbers.interfaces.iter().flat_map(|&joint| all(joint, each));
+        of_interfaces.chain(numbers.modes.into_iter().flat_map(|joint| all(joint, modes))).collect()
+    }
+
+    /// Its mass goes from the body to the shapes; the centre stays, as the place that is read as the body's.
+    fn flexible(&mut self, numbers: FlexibleNumbers<T>) {
+        let body = &mut self.blueprint.bodies[numbers.body.0];
+        body.mass = T::zero();
+        body.inertia = [[T::zero(); 3]; 3];
+        self.blueprint.flexible.push(numbers);
+    }
+}

@@ -1,0 +1,93 @@
+//! From the solid of a flexible body to its reduction, made once.
+//!
+//! Reading order: [`recipe`] (all that a reduction depends on, and its key), [`make`] (mesh, reduce), [`plane`] (which
+//! modes a planar machine can feel), [`file`] (a reduction as bytes), [`cache`] (a folder of such), [`store`] (what is at
+//! hand while a model is).
+
+mod cache;
+mod file;
+mod make;
+mod plane;
+#[allow(dead_code, reason = "beams and the run loop follow")]
+mod recipe;
+mod store;
+#[cfg(test)]
+mod tests;
+
+use bellcrank_fem::{Reduction, Six};
+use bellcrank_mesh::Mesh;
+use bellcrank_multibody::Flexible;
+
+use crate::build::{self, Built, picked};
+use crate::design::{Body, Design, Flexible as Form, Study, Values};
+use crate::elastic::End;
+use crate::progress::{Progress, Silent};
+use crate::scalar::Scalar;
+
+pub(crate) use store::{Found, Origin, Store};
+
+/// A solid as a body with a few coordinates, in body axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Reduced {
+    pub(crate) mesh: Mesh,
+    /// Six columns an interface in the order of the file, then those of the modes that the machine can feel.
+    pub(crate) reduction: Reduction,
+    /// Stress at every node of a unit of each column, Pa.
+    pub(crate) stress: Vec<Vec<Six>>,
+    /// Natural frequencies of the modes left out as they do not move in the plane of the machine, Hz.
+    pub(crate) left_out: Vec<f64>,
+    /// What there is to say of how it was made.
+    pub(crate) notes: Vec<String>,
+    /// Damping matrix by rows of a damping ratio of 1.
+    damping: Vec<f64>,
+}
+
+impl Reduced {
+    fn new(mesh: Mesh, reduction: Reduction, stress: Vec<Vec<Six>>) -> Reduced {
+        let damping = reduction.damping(1.0);
+        Reduced { mesh, reduction, stress, left_out: Vec::new(), notes: Vec::new(), damping }
+    }
+
+    /// Number of modes with resting interfaces.
+    pub(crate) fn modes(&self) -> usize {
+        self.reduction.modes
+    }
+
+    /// Numbers for the engine, of some columns; damping is that of a ratio of 1.
+    pub(crate) fn numbers(&self, columns: &[usize]) -> Flexible<f64> {
+        picked(&self.reduction.inertia, &self.reduction.stiffness, &self.damping, columns)
+    }
+}
+
+/// Flexible solids of a design, with their places among the bodies.
+fn solids(design: &Design) -> impl Iterator<Item = (usize, &Form)> {
+    let with_solid = |(index, body): (usize, &'_ Body)| body.solid.is_some().then_some(index);
+    let places = design.bodies.iter().enumerate().filter_map(with_solid);
+    places.filter_map(|index| Some((index, design.bodies[index].flexible.as_ref()?)))
+}
+
+/// Makes the reductions that a study needs, or finds them, and says so; what there is to note of them is answered.
+pub(crate) fn prepare(design: &Design, study: &Study, progress: &mut dyn Progress) -> Result<Vec<String>, End> {
+    let mut notes = Vec::new();
+    for (body, form) in solids(design).filter(|_| study.flexible) {
+        let found = design.reductions.get(design, &study.values, body, form, progress)?;
+        notes.extend(found.notes.iter().chain(&found.reduced.notes).cloned());
+    }
+    Ok(notes)
+}
+
+/// Makes the flexible bodies of a machine deform that was built rigid. Reductions are those of `plain`, the values
+/// without derivatives.
+pub(crate) fn deform<T: Scalar>(
+    design: &Design,
+    plain: &Values,
+    values: &Values<T>,
+    built: &mut Built<T>,
+) -> Result<(), End> {
+    let mut found = Vec::new();
+    for (body, form) in solids(design) {
+        found.push((body, design.reductions.get(design, plain, body, form, &mut Silent)?));
+    }
+    build::deform(design, values, built, &found);
+    Ok(())
+}
