@@ -12,6 +12,7 @@ mod balance;
 pub mod beam;
 mod check;
 mod element;
+pub mod fatigue;
 mod fault;
 mod field;
 mod freedom;

@@ -4,6 +4,7 @@ mod beams;
 mod calculix;
 mod chains;
 mod convergence;
+mod fatigue;
 mod grids;
 mod patch;
 mod published;
