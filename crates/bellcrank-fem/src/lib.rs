@@ -1,7 +1,8 @@
 //! Linear elasticity on a mesh.
 //!
 //! Reading order: [`Part`] (mesh, materials, supports, couplings), [`Load`], [`Statics`] (one factorization, any
-//! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error), [`reduce`] (a part as a flexible body). All in SI and in the axes of the mesh.
+//! number of load cases), [`Modes`], [`Stress`] (smoothed, with its error), [`reduce`] (a part as a flexible body),
+//! [`beam`] (one without a mesh), [`fatigue`] (what a history of stress does). All in SI and in the axes of the mesh.
 //! No joints, no files, no units; threads as many as the caller says.
 
 #![expect(clippy::needless_range_loop, reason = "indices of components are how the formulas are written down")]
