@@ -15,7 +15,8 @@ mod section;
 mod segment;
 mod shapes;
 
+pub use crate::Shortening;
 pub use forces::SectionForces;
-pub use reduce::{Beam, Shortening};
+pub use reduce::Beam;
 pub use section::{Section, SectionFault, SectionPoint, ShearRule};
 pub use segment::{BeamFault, Line, Segment, axes};

@@ -6,9 +6,9 @@ use super::bubbles::{Bubble, bubbles, points};
 use super::quadrature::gauss;
 use super::segment::{BeamFault, Line, Segment, cross, dot};
 use super::shapes::{Shape, end_shapes, rotate};
-use crate::ShapeIntegrals;
 use crate::numbering::rigid_motions;
 use crate::reduce::damping;
+use crate::{ShapeIntegrals, Shortening};
 
 /// A segment as a flexible body. Columns: displacement of end 1 along x, y, z of the body, its turns about them, the same
 /// of end 2, then fixed-interface modes, mass-normalized.
@@ -26,16 +26,6 @@ pub struct Beam<T = f64> {
     pub(super) bubbles: Vec<Bubble>,
     /// ∫ (v'ᵉ v'ᶠ + w'ᵉ w'ᶠ) dx, n × n by rows, m.
     pub(super) curve: Vec<T>,
-}
-
-/// The displacement `along` of end 2 counts as `d_along + ½ dᵀ C d` where it is strained: a bent axis is longer than its
-/// chord. Its work against tension N is the geometric stiffness N·C.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shortening<T = f64> {
-    /// Which column: 6, 7 or 8.
-    pub along: usize,
-    /// C, n × n by rows, symmetric, in 1/m, 1 and m.
-    pub matrix: Vec<T>,
 }
 
 impl<T: Real> Line<T> {

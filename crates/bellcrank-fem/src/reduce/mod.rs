@@ -9,11 +9,14 @@ mod free;
 mod matrices;
 mod problem;
 mod products;
+mod share;
+mod stiffening;
 mod stress;
 
 pub(crate) use free::damping;
 pub use free::natural_frequencies;
 pub use matrices::{ReducedMatrices, reduce_matrices};
+pub use stiffening::{SPIN_PAIRS, shortenings, spin_stiffness};
 pub use stress::stress;
 
 use crate::vector::V3;

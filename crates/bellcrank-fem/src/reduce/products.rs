@@ -3,6 +3,7 @@
 use bellcrank_math::linalg::dense;
 
 use super::problem::Problem;
+use super::share;
 use crate::ShapeIntegrals;
 use crate::vector::V3;
 
@@ -45,21 +46,18 @@ impl Problem<'_> {
     /// Uᵀ M U, by columns; threads share its columns.
     fn products(&self, fields: &[f64], count: usize, threads: usize) -> Vec<f64> {
         let size = self.mass.size;
-        let share = count.div_ceil(threads.max(1));
-        let mut products = vec![0.0; count * count];
-        std::thread::scope(|scope| {
-            for (own, out) in fields.chunks(share * size).zip(products.chunks_mut(share * count)) {
-                let mut work = move || {
-                    let mut heavy = vec![0.0; own.len()];
-                    self.mass.multiply(own, &mut heavy);
-                    out.copy_from_slice(&dense::transposed_product(fields, &heavy, size));
-                };
-                if threads <= 1 { work() } else { drop(scope.spawn(work)) }
-            }
+        let pieces = share::each(count.div_ceil(TOGETHER), threads, |piece| {
+            let own = &fields[piece * TOGETHER * size..((piece + 1) * TOGETHER).min(count) * size];
+            let mut heavy = vec![0.0; own.len()];
+            self.mass.multiply(own, &mut heavy);
+            dense::transposed_product(fields, &heavy, size)
         });
-        products
+        pieces.concat()
     }
 }
+
+/// Fields multiplied together, whatever the number of threads.
+const TOGETHER: usize = 32;
 
 /// Aᵀ B of fields, by rows.
 pub(super) fn table(a: &[Vec<V3>], b: &[Vec<V3>]) -> Vec<f64> {

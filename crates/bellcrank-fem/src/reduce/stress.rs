@@ -1,6 +1,6 @@
 //! Stress of the columns of a reduction.
 
-use super::Reduction;
+use super::{Reduction, share};
 use crate::element::Geometry;
 use crate::field::stress_at;
 use crate::material::Six;
@@ -10,15 +10,10 @@ use crate::{Part, recovery};
 /// Smoothed stress at every node by each coordinate (as [`crate::Stress`] has it), Pa a unit of the coordinate; components xx,
 /// yy, zz, xy, yz, zx in the axes of the mesh. n × nodes. The stress of the body is their sum times the coordinates.
 pub fn stress(part: &Part<'_>, reduction: &Reduction, threads: usize) -> Vec<Vec<Six>> {
-    let share = reduction.shapes.len().div_ceil(threads.max(1)).max(1);
-    if threads <= 1 {
-        return of_columns(part, &reduction.shapes);
-    }
-    std::thread::scope(|scope| {
-        let start = |columns| scope.spawn(move || of_columns(part, columns));
-        let running: Vec<_> = reduction.shapes.chunks(share).map(start).collect();
-        running.into_iter().flat_map(|one| one.join().unwrap_or_default()).collect()
-    })
+    let n = reduction.shapes.len();
+    let pieces = threads.clamp(1, n.max(1));
+    let own = |piece: usize| of_columns(part, &reduction.shapes[n * piece / pieces..n * (piece + 1) / pieces]);
+    share::each(pieces, threads, own).into_iter().flatten().collect()
 }
 
 fn of_columns(part: &Part<'_>, columns: &[Vec<V3>]) -> Vec<Vec<Six>> {

@@ -10,5 +10,6 @@ mod patch;
 mod published;
 mod reduction;
 mod sections;
+mod stiffening;
 mod supports;
 mod vibration;

@@ -143,6 +143,16 @@ pub fn transposed_product(a: &[f64], b: &[f64], rows: usize) -> Vec<f64> {
     product
 }
 
+/// Aᵀ B of matrices with `columns` columns each that are stored by rows; the product by columns.
+pub fn row_product(a: &[f64], b: &[f64], columns: usize) -> Vec<f64> {
+    let rows = a.len() / columns.max(1);
+    let mut product = vec![0.0; columns * columns];
+    let (a, b) = (MatRef::from_row_major_slice(a, rows, columns), MatRef::from_row_major_slice(b, rows, columns));
+    let target = MatMut::from_column_major_slice_mut(&mut product, columns, columns);
+    matmul(target, Accum::Replace, a.transpose(), b, 1.0, Par::Seq);
+    product
+}
+
 /// Solves the square system `a x = b`; `None` when singular.
 pub fn solve(a: &[Vec<f64>], b: &[f64]) -> Option<Vec<f64>> {
     let n = b.len();
@@ -231,6 +241,12 @@ mod tests {
                 let sum: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
                 assert!((product[j * 2 + i] - sum).abs() < 1e-14);
             }
+        }
+        let (a, b) = (numbers(5, 2), numbers(5, 2).into_iter().rev().collect::<Vec<_>>());
+        let product = row_product(&a.concat(), &b.concat(), 2);
+        for (at, product) in product.into_iter().enumerate() {
+            let sum: f64 = (0..5).map(|k| a[k][at % 2] * b[k][at / 2]).sum();
+            assert!((product - sum).abs() < 1e-14);
         }
     }
 }
