@@ -88,7 +88,7 @@ fn timings(run: &RunResult, dir: &Path) -> Result<(), ReportError> {
     let text = best(|| {
         std::hint::black_box(terminal_summary(run, &Style::default()));
     });
-    bellcrank_report::write_run(run, dir, Exports::default())?;
+    bellcrank_report::write_run(run, dir, Exports { gltf: true, parquet: true, vtu: true })?;
     println!(
         "  csv {csv:.2} ms, json {json:.2} ms, figures {figures:.2} ms, html {html:.2} ms ({} kB)",
         page.len() / 1000

@@ -1,5 +1,7 @@
 //! Files that a study leaves only when asked for.
 
+mod series;
+
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -15,6 +17,8 @@ pub struct Exports {
     pub gltf: bool,
     /// `series.parquet` for each study that has rows.
     pub parquet: bool,
+    /// `motion.pvd` with `BODY/BODY_0000.vtu` and so on for each study with flexible bodies.
+    pub vtu: bool,
 }
 
 /// Writes what is asked for and what the study has (its attachments were asked for); gives the paths.
@@ -31,6 +35,9 @@ pub(crate) fn write_exports(
     }
     if exports.parquet && study.table.rows() > 0 {
         written.push(write(folder.join("series.parquet"), |file| write_parquet(&study.table, file))?);
+    }
+    if exports.vtu {
+        written.extend(series::write(study, folder)?);
     }
     for file in &study.attachments {
         written.push(write(folder.join(&file.name), |out| out.write_all(&file.bytes))?);

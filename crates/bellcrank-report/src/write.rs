@@ -98,7 +98,7 @@ fn write_tables(study: &StudyResult, folder: &Path) -> Result<Vec<PathBuf>, Repo
     tables.map(write).collect()
 }
 
-fn make_folder(path: &Path) -> Result<(), ReportError> {
+pub(crate) fn make_folder(path: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(path).map_err(|source| ReportError::Folder { path: path.to_owned(), source })
 }
 

@@ -22,6 +22,7 @@ mod study;
 mod summary;
 mod table;
 mod unit;
+mod vtu;
 
 pub use cells::{Field, TextTable, write_text_csv};
 pub use contour::{Contour, ContourField, ContourMark, ContourShape};
@@ -42,3 +43,4 @@ pub use study::{Attachment, Failure, Reaction, StudyResult};
 pub use summary::{moves, run_summary, study_summary};
 pub use table::{Column, Table};
 pub use unit::Unit;
+pub use vtu::{PvdEntry, write_pvd, write_vtu_row};

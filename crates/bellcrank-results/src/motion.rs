@@ -117,10 +117,10 @@ fn von_mises([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn motion() -> FlexibleMotion {
+    pub(crate) fn motion() -> FlexibleMotion {
         FlexibleMotion {
             body: "bar".to_owned(),
             nodes: vec![[0.1, 0.2, 0.3], [1.1, 0.2, 0.3], [0.6, 0.9, 0.3]],

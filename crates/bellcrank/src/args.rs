@@ -44,7 +44,7 @@ pub(crate) enum Format {
     Step,
     /// Solids of bodies as STL.
     Stl,
-    /// Meshes of parts with their results, for ParaView.
+    /// Meshes of parts with their results, and flexible bodies row by row, for ParaView.
     Vtu,
     /// Meshes of parts as whole input files of CalculiX.
     Inp,
@@ -96,8 +96,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
     /// What else to write, comma between: for each study `gltf` is motion.glb, `parquet` series.parquet, `step`
-    /// assembly.step at its first row, `vtu`, `inp` and `msh` the mesh of a part with its results; `step` and `stl` also
-    /// write each solid into `solids`.
+    /// assembly.step at its first row, `vtu`, `inp` and `msh` the mesh of a part with its results (of flexible bodies
+    /// `vtu` is motion.pvd with a file a row); `step` and `stl` also write each solid into `solids`.
     #[arg(long, value_name = "FORMATS", value_enum, value_delimiter = ',')]
     pub(crate) export: Vec<Format>,
     /// Write the model with the values that its `optimize` study found into a new file.

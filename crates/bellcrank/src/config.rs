@@ -167,7 +167,8 @@ fn meshes(formats: &[Format]) -> MeshFormats {
 }
 
 fn exports(formats: &[Format]) -> Exports {
-    Exports { gltf: formats.contains(&Format::Gltf), parquet: formats.contains(&Format::Parquet) }
+    let has = |format| formats.contains(&format);
+    Exports { gltf: has(Format::Gltf), parquet: has(Format::Parquet), vtu: has(Format::Vtu) }
 }
 
 fn distinct(names: &[String]) -> Vec<String> {

@@ -244,3 +244,20 @@ fn files_hold_what_is_told() {
     assert_eq!(summary["flexible"]["bodies"]["bar"]["peak"]["region"], "bore A");
     fs::remove_dir_all(dir).unwrap();
 }
+
+#[test]
+fn paraview_gets_a_file_a_row() {
+    let dir = std::env::temp_dir().join(format!("bellcrank-report-{}-series", std::process::id()));
+    let mut run = run_of(motion([12, 3, 2], "bar"));
+    let other = FlexibleMotion { body: "../bar".to_owned(), ..motion([8, 2, 2], "bar") };
+    run.studies[0].motions.push(other);
+    let written = write_run(&run, &dir, Exports { vtu: true, ..Exports::default() }).unwrap();
+    let folder = dir.join("swing");
+    for name in ["motion.pvd", "bar/bar_0000.vtu", "bar/bar_0120.vtu", "_bar/_bar_0120.vtu"] {
+        assert!(written.contains(&folder.join(name)) && folder.join(name).is_file(), "{name}");
+    }
+    let series = fs::read_to_string(folder.join("motion.pvd")).unwrap();
+    assert_eq!(series.matches("<DataSet").count(), 2 * ROWS);
+    assert!(series.contains("timestep=\"0.25\" group=\"\" part=\"1\" name=\"../bar\" file=\"_bar/_bar_0015.vtu\""));
+    fs::remove_dir_all(dir).unwrap();
+}

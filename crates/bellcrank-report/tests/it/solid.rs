@@ -49,7 +49,7 @@ fn exports_are_written_where_there_is_something_to_write() {
     let dir = std::env::temp_dir().join(format!("bellcrank-report-{}-exports", std::process::id()));
     let mut run = lift::run();
     run.studies[1].animation = None;
-    let written = write_run(&run, &dir, Exports { gltf: true, parquet: true }).unwrap();
+    let written = write_run(&run, &dir, Exports { gltf: true, parquet: true, vtu: false }).unwrap();
     let has = |name: &str| written.contains(&dir.join(name)) && dir.join(name).is_file();
     assert!(has("lift/motion.glb") && has("lift/series.parquet") && has("massless/series.parquet"));
     assert!(!dir.join("massless/motion.glb").exists());
