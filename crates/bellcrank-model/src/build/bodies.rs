@@ -8,6 +8,7 @@ use bellcrank_multibody::{Body as BodyNumbers, BodyId, Place};
 
 use super::Numbers;
 use super::frames::{self, Matrix};
+use super::rods;
 use super::solids::{self, Kept};
 use crate::design::{Body, Point, Quantity, Rotation};
 use crate::scalar::Scalar;
@@ -23,9 +24,10 @@ pub(super) fn bodies<T: Scalar>(
     bodies.clear();
     solids.resize_with(design.bodies.len(), Kept::default);
     let all = design.bodies.iter().zip(points).zip(solids);
-    bodies.extend(all.map(|((body, places), kept)| match &body.solid {
-        Some(worn) => solids::mass(numbers, worn, places, kept),
-        None => one(numbers, body),
+    bodies.extend(all.map(|((body, places), kept)| match (&body.solid, &body.rod) {
+        (Some(worn), _) => solids::mass(numbers, worn, places, kept),
+        (None, Some(rod)) => rods::mass(numbers, rod, places),
+        (None, None) => one(numbers, body),
     }));
 }
 

@@ -10,6 +10,7 @@ mod joints;
 mod materials;
 mod plausible;
 mod programme;
+mod rods;
 mod solids;
 mod studies;
 
@@ -23,7 +24,7 @@ use crate::geometry::Geometry;
 use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
-pub(crate) use flexible::{Deforming, deform, picked};
+pub(crate) use flexible::{Deforming, MOST_MODES, Shapes, deform, picked};
 pub(crate) use forward::idle_velocities;
 pub(crate) use materials::{ElasticNumbers, MaterialNumbers, material, material_faults};
 pub(crate) use plausible::{implausible, implausible_study};
@@ -39,7 +40,7 @@ pub(crate) struct Built<T = f64> {
     /// What the solids came to, by body.
     solids: Vec<Kept<T>>,
     /// Bodies that deform, in the order of the blueprint's; none in a machine that was built rigid.
-    pub(crate) flexible: Vec<Deforming>,
+    pub(crate) flexible: Vec<Deforming<T>>,
 }
 
 impl<T: Scalar> Built<T> {

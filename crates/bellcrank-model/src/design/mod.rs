@@ -2,7 +2,6 @@
 
 mod ask;
 mod dynamics;
-#[allow(dead_code, reason = "beams and the run loop follow")]
 mod flexible;
 mod force;
 mod joint;
@@ -50,7 +49,6 @@ pub(crate) struct Design {
     pub(crate) bodies: Vec<Body>,
     pub(crate) materials: Vec<Material>,
     pub(crate) solids: Vec<Solid>,
-    #[allow(dead_code, reason = "beams and the run loop follow")]
     pub(crate) beams: Vec<Beam>,
     pub(crate) joints: Vec<Joint>,
     pub(crate) forces: Vec<Force>,
@@ -111,7 +109,6 @@ pub(crate) enum Rotation {
 
 impl Rotation {
     /// Every value in it.
-    #[allow(dead_code, reason = "beams and the run loop follow")]
     pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
         match self {
             Rotation::None => {}

@@ -66,7 +66,7 @@ fn chosen(recipe: &Recipe, round: &mut Round<'_>) -> Result<(Reduction, Vec<usiz
     for at in 0.. {
         let share = [at, at + 1].map(|done| f64::from(done) / ROUNDS as f64);
         let reduction = round(&Keep { count: Some(asked), ..recipe.keep }, share)?;
-        let felt = plane::felt(&reduction);
+        let felt = plane::felt(&reduction.inertia, reduction.points.len(), true);
         let modes: Vec<usize> = (0..reduction.modes).filter(|&mode| felt[mode]).take(wanted).collect();
         let all_there = modes.len() == wanted || reduction.modes < asked;
         if all_there || at as usize + 1 >= ROUNDS {

@@ -8,22 +8,23 @@ mod cache;
 mod file;
 mod make;
 mod plane;
-#[allow(dead_code, reason = "beams and the run loop follow")]
 mod recipe;
 mod store;
 #[cfg(test)]
 mod tests;
 
+use bellcrank_fem::beam::BeamFault;
 use bellcrank_fem::{Reduction, Six};
 use bellcrank_mesh::Mesh;
 use bellcrank_multibody::Flexible;
 
 use crate::build::{self, Built, picked};
 use crate::design::{Body, Design, Flexible as Form, Study, Values};
-use crate::elastic::End;
+use crate::elastic::{End, ended};
 use crate::progress::{Progress, Silent};
 use crate::scalar::Scalar;
 
+pub(crate) use plane::felt;
 pub(crate) use store::{Found, Origin, Store};
 
 /// A solid as a body with a few coordinates, in body axes.
@@ -88,6 +89,17 @@ pub(crate) fn deform<T: Scalar>(
     for (body, form) in solids(design) {
         found.push((body, design.reductions.get(design, plain, body, form, &mut Silent)?));
     }
-    build::deform(design, values, built, &found);
-    Ok(())
+    build::deform(design, values, built, &found).map_err(|(body, fault)| no_beam(&design.bodies[body].name, fault))
+}
+
+/// Numbers were checked when the model was read; parameters of a study over designs may leave what they allow.
+fn no_beam(body: &str, fault: BeamFault) -> End {
+    let message = match fault {
+        BeamFault::Length(length) => format!("a segment of the beam of body `{body}` is {length} m long"),
+        BeamFault::Stiffness(which, value) => format!("the beam of body `{body}` has {which} = {value}"),
+        BeamFault::Mass(which, value) => format!("the beam of body `{body}` has {which} = {value}"),
+        BeamFault::Axes(_) => format!("the section of the beam of body `{body}` has no direction"),
+        BeamFault::Modes(count) => format!("{count} modes of the beam of body `{body}` are more than it has"),
+    };
+    ended(message, "")
 }

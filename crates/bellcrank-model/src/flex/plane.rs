@@ -1,6 +1,7 @@
 //! Modes that a machine in the x-y plane can feel.
 
 use bellcrank_fem::{Reduction, ShapeIntegrals};
+use bellcrank_math::Real;
 
 /// What a mode brings to the plane, against its own mass, below which it brings nothing.
 const NOTHING: f64 = 1e-6;
@@ -8,28 +9,27 @@ const NOTHING: f64 = 1e-6;
 const IN_PLANE: [usize; 3] = [0, 1, 5];
 const EACH: usize = 6;
 
-/// Whether each mode moves what is in the plane: its momentum there, its moment of momentum, or its product with an
-/// interface, relative to the mass that moves.
-pub(super) fn felt(reduction: &Reduction) -> Vec<bool> {
-    let first = EACH * reduction.points.len();
-    (0..reduction.modes).map(|mode| share(reduction, first + mode) > NOTHING).collect()
+/// Whether the machine can feel each mode: in the plane one that brings momentum there, moment of momentum, or a product
+/// with an interface, relative to the mass that moves. The columns of interfaces come first.
+pub(crate) fn felt<T: Real>(inertia: &ShapeIntegrals<T>, interfaces: usize, planar: bool) -> Vec<bool> {
+    let first = EACH * interfaces;
+    (first..inertia.coordinates()).map(|mode| !planar || share(inertia, first, mode) > NOTHING).collect()
 }
 
-fn share(reduction: &Reduction, mode: usize) -> f64 {
-    let of = &reduction.inertia;
+fn share<T: Real>(of: &ShapeIntegrals<T>, first: usize, mode: usize) -> f64 {
     let n = of.coordinates();
-    let product = |e: usize, f: usize| of.products[e * n + f];
+    let product = |e: usize, f: usize| of.products[e * n + f].map(|row| row.map(T::value));
     let moved = |e: usize| (0..3).map(|i| product(e, e)[i][i]).sum::<f64>();
     let own = moved(mode);
     let against = |value: f64, other: f64| value.abs() / (own * other).sqrt().max(f64::MIN_POSITIVE);
-    let turning = of.second[0][0] + of.second[1][1];
+    let turning = of.second[0][0].value() + of.second[1][1].value();
     let mut largest = 0.0_f64;
     for i in 0..2 {
-        largest = largest.max(against(of.flow[mode][i], of.mass));
-        largest = (0..2).map(|j| against(of.placed[mode][i][j], turning)).fold(largest, f64::max);
+        largest = largest.max(against(of.flow[mode][i].value(), of.mass.value()));
+        largest = (0..2).map(|j| against(of.placed[mode][i][j].value(), turning)).fold(largest, f64::max);
     }
-    for interface in 0..reduction.points.len() {
-        for column in IN_PLANE.map(|column| EACH * interface + column) {
+    for interface in (0..first).step_by(EACH) {
+        for column in IN_PLANE.map(|column| interface + column) {
             let with = product(mode, column);
             largest = largest.max(against(with[0][0] + with[1][1], moved(column)));
         }

@@ -4,13 +4,14 @@ use bellcrank_doc::{Diagnostic, Reader, Span, Spanned};
 
 use super::parts::mesh;
 use super::{Machine, PartReader};
+use crate::build::MOST_MODES;
 use crate::design::{Body, Flexible, Force, Kept, MeshForm, Quantity, holds};
 use crate::keyed::{Keyed, Switch};
 
 /// Modes of a solid unless given.
 const MODES: usize = 10;
 /// At most so many where a frequency says which.
-const MOST_MODES: usize = 200;
+const ALL_MODES: usize = 200;
 
 /// What a body says of its deformation, before it is known what takes hold of it.
 #[derive(Debug)]
@@ -130,7 +131,8 @@ impl Fitting<'_> {
         let is_rod = self.body().rod.is_some();
         let form = self.form;
         let usual = match &form.frequency {
-            Some(_) => MOST_MODES,
+            Some(_) if is_rod => MOST_MODES,
+            Some(_) => ALL_MODES,
             None if is_rod => 0,
             None => MODES,
         };
@@ -195,6 +197,16 @@ impl Fitting<'_> {
             ],
             None => vec![("segments", form.segments.as_ref().map(|one| one.span))],
         };
+        if let Some(flag) = form.stiffening.as_ref().filter(|flag| flag.value && self.body().rod.is_none()) {
+            let message = format!("`stiffening` of the flexible body `{name}` is for beams; it has a solid");
+            let hint =
+                "leave it out: the stiffness of a solid does not change with its load; slender parts can be beams";
+            self.fault("conflicting-keys", flag.span, message, hint);
+        }
+        if let Some(modes) = form.modes.as_ref().filter(|modes| modes.value > MOST_MODES && self.body().rod.is_some()) {
+            let message = format!("{} modes of a segment of a beam; at most {MOST_MODES} are kept", modes.value);
+            self.fault("out-of-range", modes.span, message, "take more `segments`");
+        }
         let (is, other) = if self.body().rod.is_some() { ("beam", "solids") } else { ("solid", "beams") };
         for (key, span) in wrong.into_iter().filter_map(|(key, span)| Some((key, span?))) {
             let message = format!("`{key}` of the flexible body `{name}` is for {other}; it has a {is}");
@@ -269,10 +281,19 @@ impl Fitting<'_> {
         found
     }
 
-    /// Place among the interfaces.
+    /// Place among the interfaces. The frame of a beam goes with an end of it.
     fn reference(&mut self, interfaces: &[Spanned<usize>]) -> Option<usize> {
-        let Some(name) = &self.form.reference else { return Some(0) };
+        let ends = self.body().rod.as_ref().map(|rod| rod.ends);
+        let is_end = |point: usize| ends.is_none_or(|ends| ends.contains(&point));
+        let Some(name) = &self.form.reference else {
+            return Some(interfaces.iter().position(|one| is_end(one.value)).unwrap_or(0));
+        };
         let point = self.point(name)?;
+        if !is_end(point) {
+            let message = format!("`reference` names `{}`, which is no end of the beam", name.value);
+            self.fault("no-interface", name.span, message, "the frame of a beam goes with one of its ends");
+            return None;
+        }
         let place = interfaces.iter().position(|one| one.value == point);
         if place.is_none() {
             let points = &self.body().points;

@@ -26,9 +26,6 @@ pub(crate) fn picked<T: Real>(
     columns: &[usize],
 ) -> Flexible<T> {
     let size = inertia.coordinates();
-    let square = |matrix: &[T]| -> Vec<T> {
-        columns.iter().flat_map(|row| columns.iter().map(move |column| matrix[row * size + column])).collect()
-    };
     Flexible {
         body: BodyId::GROUND,
         interfaces: Vec::new(),
@@ -44,8 +41,13 @@ pub(crate) fn picked<T: Real>(
                 .flat_map(|e| columns.iter().map(move |f| inertia.products[e * size + f]))
                 .collect(),
         },
-        stiffness: square(stiffness),
-        damping: square(damping),
+        stiffness: square(stiffness, size, columns),
+        damping: square(damping, size, columns),
         shortenings: Vec::new(),
     }
+}
+
+/// Some rows and columns of a square matrix.
+pub(super) fn square<T: Copy>(matrix: &[T], size: usize, columns: &[usize]) -> Vec<T> {
+    columns.iter().flat_map(|row| columns.iter().map(move |column| matrix[row * size + column])).collect()
 }

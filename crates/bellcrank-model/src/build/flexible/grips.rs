@@ -4,6 +4,8 @@ use bellcrank_doc::Diagnostic;
 use bellcrank_math::Real;
 use bellcrank_multibody::{Axes, BodyId, Force, Place};
 
+use super::chain::along;
+use crate::build::rods::rod_of;
 use crate::build::{Built, Numbers};
 use crate::design::{Design, Flexible, holds};
 use crate::geometry::Extent;
@@ -85,6 +87,7 @@ pub(in crate::build) fn faults<T: Scalar>(numbers: &mut Numbers<'_, T>, points: 
     for (index, (body, places)) in design.bodies.iter().zip(points).enumerate() {
         let Some(form) = &body.flexible else { continue };
         check(numbers, &body.name, form);
+        off_axis(numbers, index, form, places);
         loose(numbers, index, form, places);
     }
 }
@@ -99,6 +102,25 @@ fn check<T: Scalar>(numbers: &mut Numbers<'_, T>, name: &str, form: &Flexible) {
     form.mesh.each_quantity(&mut |size| {
         numbers.above_zero(size, format_args!("a size in `mesh` of the flexible body `{name}`"));
     });
+}
+
+/// Interfaces of a beam lie on it.
+fn off_axis<T: Scalar>(numbers: &mut Numbers<'_, T>, index: usize, form: &Flexible, places: &[Place<T>]) {
+    const NEAR: f64 = 1e-6;
+    let Some(rod) = rod_of(numbers.design, numbers.values, index, places) else { return };
+    let (design, length) = (numbers.design, rod.length.value());
+    let body = &design.bodies[index];
+    for interface in &form.interfaces {
+        let (share, off) = along(&rod, places[interface.value].position.map(T::value));
+        if off <= NEAR * length && (-NEAR..=1.0 + NEAR).contains(&share) {
+            continue;
+        }
+        let point = &body.points[interface.value].name;
+        let message = format!("interface `{point}` of body `{}` is not on its beam", body.name);
+        let report = Diagnostic::error("no-interface", interface.span, message);
+        let hint = "points of a beam that are held lie on its axis; what stands off it is a body of its own, welded on";
+        numbers.faults.push(report.hint(hint));
+    }
 }
 
 fn loose<T: Scalar>(numbers: &mut Numbers<'_, T>, index: usize, form: &Flexible, places: &[Place<T>]) {

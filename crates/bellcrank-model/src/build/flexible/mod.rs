@@ -4,6 +4,7 @@
 //! reference interface. Every other interface becomes a massless body behind those of the design, and an elastic joint
 //! behind the joints of the design; what takes hold of the body there takes hold of that one. So ids of the design stay.
 
+mod chain;
 mod columns;
 mod grips;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod tests;
 
 use std::sync::Arc;
 
+use bellcrank_fem::beam::{Beam, BeamFault};
 use bellcrank_multibody::{
     Blueprint, Body as BodyNumbers, BodyId, Coordinate, Flexible as FlexibleNumbers, Joint as JointNumbers, JointId,
     JointKind, Place,
@@ -21,24 +23,43 @@ use crate::design::{Design, Flexible, Values};
 use crate::flex::{Found, Origin, Reduced};
 use crate::scalar::Scalar;
 
+pub(crate) use chain::MOST_MODES;
 pub(crate) use columns::picked;
 pub(super) use grips::faults;
 use grips::{Grip, take_hold};
 
 /// A flexible body of the engine, and where it comes from.
-#[allow(dead_code, reason = "beams and the run loop follow")]
 #[derive(Clone, Debug)]
-pub(crate) struct Deforming {
-    /// Body of the design.
+pub(crate) struct Deforming<T = f64> {
+    /// Body of the design; a beam in segments has several of these in a row.
     pub(crate) body: usize,
+    /// Carries the floating frame.
+    pub(crate) carrier: BodyId,
     /// Its coordinates in the order of the shapes: those of interfaces, then `modes`.
     pub(crate) coordinates: Vec<Coordinate>,
     pub(crate) modes: usize,
     /// Column of the reduction of each coordinate.
     pub(crate) columns: Vec<usize>,
+    pub(crate) shapes: Shapes<T>,
+}
+
+/// Columns of displacement and stress.
+#[derive(Clone, Debug)]
+pub(crate) enum Shapes<T = f64> {
+    /// Of a solid, in body axes.
+    Solid { reduced: Arc<Reduced>, origin: Origin },
+    /// Of a segment of a beam, in the axes of its floating frame, which are the body's.
+    Beam(Box<Beam<T>>),
+}
+
+impl<T> Deforming<T> {
     /// The solid that it was reduced from.
-    pub(crate) reduced: Arc<Reduced>,
-    pub(crate) origin: Origin,
+    pub(crate) fn reduced(&self) -> Option<&Arc<Reduced>> {
+        match &self.shapes {
+            Shapes::Solid { reduced, .. } => Some(reduced),
+            Shapes::Beam(_) => None,
+        }
+    }
 }
 
 /// Part of critical damping in every natural mode, unless given: welded and bolted steel has 0.005 to 0.02.
@@ -50,13 +71,27 @@ struct Appending<'a, T> {
     blueprint: &'a mut Blueprint<T>,
 }
 
-/// Makes those bodies of a rigid machine deform that have a reduction.
-pub(crate) fn deform<T: Scalar>(design: &Design, values: &Values<T>, built: &mut Built<T>, found: &[(usize, Found)]) {
-    for (body, found) in found {
-        let Some(form) = design.bodies.get(*body).and_then(|body| body.flexible.as_ref()) else { continue };
-        let damping = form.damping.as_ref().map_or(T::from_f64(DAMPING), |damping| damping.eval(values));
-        solid(design, built, *body, form, damping, found);
+/// Makes the flexible bodies of a rigid machine deform; `found` are the reductions of the solids among them.
+///
+/// # Errors
+/// What makes no beam, with the body.
+pub(crate) fn deform<T: Scalar>(
+    design: &Design,
+    values: &Values<T>,
+    built: &mut Built<T>,
+    found: &[(usize, Found)],
+) -> Result<(), (usize, BeamFault)> {
+    for (index, body) in design.bodies.iter().enumerate() {
+        let Some(form) = &body.flexible else { continue };
+        if let Some((_, found)) = found.iter().find(|(of, _)| *of == index) {
+            let damping = form.damping.as_ref().map_or(T::from_f64(DAMPING), |damping| damping.eval(values));
+            solid(design, built, index, form, damping, found);
+        }
+        if body.rod.is_some() {
+            chain::rod(design, values, built, index, form).map_err(|fault| (index, fault))?;
+        }
     }
+    Ok(())
 }
 
 fn solid<T: Scalar>(
@@ -85,8 +120,8 @@ fn solid<T: Scalar>(
     let coordinates = appending.coordinates(&numbers, modes);
     appending.flexible(numbers);
     take_hold(design, built, body, &grips);
-    let (reduced, origin) = (Arc::clone(reduced), *origin);
-    built.flexible.push(Deforming { body, coordinates, modes, columns, reduced, origin });
+    let shapes = Shapes::Solid { reduced: Arc::clone(reduced), origin: *origin };
+    built.flexible.push(Deforming { body, carrier: BodyId(body), coordinates, modes, columns, shapes });
 }
 
 impl<T: Scalar> Appending<'_, T> {
