@@ -55,7 +55,7 @@ fn attitude(c: Coordinate, joint: String, span: Span) -> Diagnostic {
 /// Bodies that no chain of joints leads to from the ground: a warning each. Parts in a file without joints are looked at
 /// by themselves.
 pub(crate) fn check_connected(design: &Design) -> Vec<Diagnostic> {
-    if design.joints.is_empty() && design.bodies.iter().skip(1).all(|body| body.solid.is_some()) {
+    if design.joints.is_empty() && design.bodies.iter().skip(1).all(|body| body.solid.is_some() || body.rod.is_some()) {
         return Vec::new();
     }
     let warning = |body: &Body| {

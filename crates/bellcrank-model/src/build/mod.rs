@@ -17,14 +17,14 @@ mod studies;
 use std::fmt::Arguments;
 
 use bellcrank_doc::{Diagnostic, Span};
-use bellcrank_multibody::{Blueprint, Engine, Place, engine_for};
+use bellcrank_multibody::{Blueprint, Coordinate, Engine, Place, engine_for};
 
 use crate::design::{Components, Design, Direction, Quantity, Values};
 use crate::geometry::Geometry;
 use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
-pub(crate) use flexible::{Deforming, MOST_MODES, Shapes, deform, picked};
+pub(crate) use flexible::{Deforming, MOST_MODES, deform, picked};
 pub(crate) use forward::idle_velocities;
 pub(crate) use materials::{ElasticNumbers, MaterialNumbers, material, material_faults};
 pub(crate) use plausible::{implausible, implausible_study};
@@ -47,6 +47,12 @@ impl<T: Scalar> Built<T> {
     /// Volume of the solid of a body, m³.
     pub(crate) fn volume(&self, body: usize) -> Option<T> {
         self.solids.get(body)?.volume()
+    }
+
+    /// Coordinates of all shapes, body by body.
+    #[allow(dead_code, reason = "for the run loop")]
+    pub(crate) fn elastic(&self) -> Vec<Coordinate> {
+        self.flexible.iter().flat_map(|body| body.coordinates.iter().copied()).collect()
     }
 
     /// Nothing yet, for [`rebuild`].

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use bellcrank_multibody::Freedom;
 
 use crate::Model;
-use crate::design::{Body, Components, Design, ForceShape, Load, Quantity, Rotation, ScopeId};
+use crate::design::{Body, Design, ForceShape, Load, Quantity, ScopeId};
 
 pub(super) fn notes(model: &Model, freedom: &Freedom) -> Vec<String> {
     let design = model.design();
@@ -74,7 +74,11 @@ fn still_masses(model: &Model) -> Vec<String> {
     let design = model.design();
     let masses = &model.built().blueprint.bodies;
     let without = |(body, numbers): &(&Body, &bellcrank_multibody::Body<f64>)| {
-        numbers.mass > 0.0 && body.center.is_none() && body.solid.is_none() && body.points.len() > 1
+        numbers.mass > 0.0
+            && body.center.is_none()
+            && body.solid.is_none()
+            && body.rod.is_none()
+            && body.points.len() > 1
     };
     let names: Vec<&str> =
         design.bodies.iter().zip(masses).skip(1).filter(without).map(|(body, _)| body.name.as_str()).collect();
@@ -143,7 +147,10 @@ impl Used {
             self.quantities(body.inertia.iter().flatten());
             for point in &body.points {
                 self.quantities(&point.at);
-                self.rotation(&point.rotation);
+                point.rotation.each_quantity(&mut |quantity| self.quantity(quantity));
+            }
+            if let Some(flexible) = &body.flexible {
+                flexible.each_quantity(&mut |quantity| self.quantity(quantity));
             }
         }
         for material in &design.materials {
@@ -151,6 +158,9 @@ impl Used {
         }
         for solid in &design.solids {
             solid.form.each_quantity(&mut |quantity| self.quantity(quantity));
+        }
+        for beam in &design.beams {
+            beam.each_quantity(&mut |quantity| self.quantity(quantity));
         }
         for joint in &design.joints {
             self.quantities(joint.start.iter().flatten());
@@ -169,19 +179,6 @@ impl Used {
         }
         for motion in &design.motions {
             motion.each_quantity(&mut |quantity| self.quantity(quantity));
-        }
-    }
-
-    fn rotation(&mut self, rotation: &Rotation) {
-        match rotation {
-            Rotation::None => {}
-            Rotation::About { axis, angle } => {
-                self.quantity(angle);
-                if let Components::Given(components) = &axis.components {
-                    self.quantities(components);
-                }
-            }
-            Rotation::Quaternion(values) | Rotation::Rpy(values) => self.quantities(values),
         }
     }
 

@@ -116,8 +116,7 @@ pub(crate) fn holds(body: usize, joints: &[Joint], forces: &[Force], bodies: &[B
 }
 
 impl Section {
-    /// Every value in it.
-    pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
+    fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
         match self {
             Section::Rectangle { width, height } => [width, height].into_iter().for_each(visit),
             Section::Round(diameter) => visit(diameter),
@@ -127,6 +126,22 @@ impl Section {
             }
             Section::Faulty => {}
         }
+    }
+}
+
+impl Beam {
+    /// Every value in it.
+    pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
+        self.section.each_quantity(visit);
+        self.up.iter().for_each(|up| up.each_quantity(visit));
+    }
+}
+
+impl Flexible {
+    /// Every value in it.
+    pub(crate) fn each_quantity(&self, visit: &mut dyn FnMut(&Quantity)) {
+        self.damping.iter().chain(&self.modes.frequency).for_each(&mut *visit);
+        self.mesh.each_quantity(visit);
     }
 }
 

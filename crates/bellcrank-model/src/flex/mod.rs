@@ -8,6 +8,7 @@ mod cache;
 mod file;
 mod make;
 mod plane;
+#[allow(dead_code, reason = "which parameters need differences is for the gradients of trials")]
 mod recipe;
 mod store;
 #[cfg(test)]

@@ -19,7 +19,7 @@ impl<'d> Namer<'d> {
     }
 
     pub(crate) fn joint(&self, id: JointId) -> &'d str {
-        self.design.joints.get(id.0).map_or("?", |joint| joint.name.as_str())
+        self.design.joints.get(id.0).map_or("the shape of a flexible body", |joint| joint.name.as_str())
     }
 
     fn motions(&self, c: Coordinate) -> &'static [Motion] {

@@ -29,6 +29,7 @@ pub(super) use grips::faults;
 use grips::{Grip, take_hold};
 
 /// A flexible body of the engine, and where it comes from.
+#[allow(dead_code, reason = "for the run loop and pictures")]
 #[derive(Clone, Debug)]
 pub(crate) struct Deforming<T = f64> {
     /// Body of the design; a beam in segments has several of these in a row.
@@ -44,6 +45,7 @@ pub(crate) struct Deforming<T = f64> {
 }
 
 /// Columns of displacement and stress.
+#[allow(dead_code, reason = "for the run loop and pictures")]
 #[derive(Clone, Debug)]
 pub(crate) enum Shapes<T = f64> {
     /// Of a solid, in body axes.
@@ -54,6 +56,7 @@ pub(crate) enum Shapes<T = f64> {
 
 impl<T> Deforming<T> {
     /// The solid that it was reduced from.
+    #[allow(dead_code, reason = "for the run loop and pictures")]
     pub(crate) fn reduced(&self) -> Option<&Arc<Reduced>> {
         match &self.shapes {
             Shapes::Solid { reduced, .. } => Some(reduced),

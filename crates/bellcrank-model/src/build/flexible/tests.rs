@@ -182,3 +182,88 @@ fn the_shapes_have_the_mass_of_the_solid() {
     let zz = inertia.second[0][0] + inertia.second[1][1] - inertia.mass * (c[0] * c[0] + c[1] * c[1]);
     assert!((zz / body.inertia[2][2] - 1.0).abs() < 1e-3, "{zz} {}", body.inertia[2][2]);
 }
+
+fn rods() -> Model {
+    let text = r#"
+bellcrank = 1
+space = "spatial"
+gravity = ["1.3 m/s^2", "0.4 m/s^2", "-9.81 m/s^2"]
+[ground.points]
+O = { at = ["11 mm", "-7 mm", "20 mm"], rpy = ["10 deg", "-20 deg", "35 deg"] }
+S = ["0.2 m", "0.3 m", "0.5 m"]
+[bodies.arm]
+beam = "bar"
+flexible = { segments = 4, modes = 2, reference = "B" }
+points = { A = ["-21 mm", "17 mm", "33 mm"], B = { at = ["379 mm", "-83 mm", "233 mm"], rpy = ["-15 deg", "25 deg", "5 deg"] }, M = ["99 mm", "-13 mm", "93 mm"] }
+[bodies.hand]
+beam = "rod"
+points = { H = { at = ["5 mm", "-9 mm", "12 mm"], rpy = ["7 deg", "-9 deg", "50 deg"] }, T = ["50 mm", "20 mm", "-30 mm"] }
+[joints]
+O = { kind = "revolute", connects = ["ground.O", "arm.A"], axis = [0.3, -0.2, 0.9], start = "37 deg" }
+B = { kind = "revolute", connects = ["arm.B", "hand.H"], axis = [0.5, 0.4, -0.3], start = "-20 deg" }
+[forces.s]
+kind = "spring"
+between = ["ground.S", "arm.M"]
+stiffness = "700 N/m"
+free_length = "90 mm"
+[materials.steel]
+density = "7850 kg/m^3"
+young = "210 GPa"
+poisson = 0.3
+[beams.bar]
+material = "steel"
+between = ["A", "B"]
+width = "9 mm"
+height = "23 mm"
+up = [0.2, 0.9, 0.4]
+[beams.rod]
+material = "steel"
+between = ["T", "H"]
+tube = ["14 mm", "2 mm"]
+"#;
+    let loaded = crate::load::load_text(Path::new("rods.toml"), text, &[]);
+    let told = loaded.diagnostics.findings(&loaded.sources);
+    loaded.model.unwrap_or_else(|| panic!("{told:?}"))
+}
+
+#[test]
+fn a_chain_of_segments_is_where_the_rigid_beam_is() {
+    let model = rods();
+    let design = model.design();
+    let [rigid, flexible] = [false, true].map(|flexible| built(design, flexible));
+    // The spring is at 30 %: one part before it, three behind.
+    assert_eq!(flexible.flexible.len(), 4);
+    let [a, b] = [&rigid, &flexible].map(|built| assembled(design, built));
+    for (body, points) in rigid.geometry.points.iter().enumerate() {
+        for (place, moved) in points.iter().zip(&flexible.geometry.points[body]) {
+            let (at, there) = (a.point(place.body, place.position), b.point(moved.body, moved.position));
+            let apart = (0..3).map(|i| (at.position[i] - there.position[i]).abs()).fold(0.0, f64::max);
+            assert!(apart < 1e-12, "{}: {apart}", design.bodies[body].name);
+        }
+    }
+    let of = |point: usize| flexible.geometry.points[1][point].body;
+    assert_eq!(of(1), BodyId(1), "the frame goes with the reference");
+    assert!(of(0) != of(2) && of(0).0 >= design.bodies.len() && of(2).0 >= design.bodies.len());
+}
+
+/// Momentum and moment of momentum of the chain as a rigid body are those of the bar: a block of the same sides.
+#[test]
+fn a_beam_has_the_mass_of_its_bar() {
+    let model = rods();
+    let design = model.design();
+    let [rigid, flexible] = [false, true].map(|flexible| built(design, flexible));
+    let body = &rigid.blueprint.bodies[1];
+    let length = (0.4_f64.powi(2) + 0.1_f64.powi(2) + 0.2_f64.powi(2)).sqrt();
+    let mass = 7850.0 * 0.009 * 0.023 * length;
+    assert!((body.mass / mass - 1.0).abs() < 1e-12);
+    // Principal moments of a block.
+    let squares = [length * length, 0.023_f64.powi(2), 0.009_f64.powi(2)];
+    let mut expected: Vec<f64> = (0..3).map(|i| mass * (squares[(i + 1) % 3] + squares[(i + 2) % 3]) / 12.0).collect();
+    let tensor: Vec<Vec<f64>> = body.inertia.iter().map(|row| row.to_vec()).collect();
+    let (mut moments, _) = bellcrank_math::linalg::dense::symmetric_eigen(&tensor).expect("moments");
+    expected.sort_by(f64::total_cmp);
+    moments.sort_by(f64::total_cmp);
+    assert!(expected.iter().zip(&moments).all(|(a, b)| (a / b - 1.0).abs() < 1e-10), "{expected:?} {moments:?}");
+    let all: f64 = flexible.blueprint.flexible.iter().map(|piece| piece.inertia.mass).sum();
+    assert!((all / mass - 1.0).abs() < 1e-12);
+}
