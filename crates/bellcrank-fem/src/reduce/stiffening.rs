@@ -42,6 +42,9 @@ pub fn shortenings(part: &Part<'_>, reduction: &Reduction, reference: usize, thr
 ///
 /// # Errors
 /// As [`Reduction::craig_bampton`], for the same part and interfaces.
+///
+/// # Panics
+/// When `reference` is no interface.
 pub fn spin_stiffness(
     part: &Part<'_>,
     interfaces: &[Interface],

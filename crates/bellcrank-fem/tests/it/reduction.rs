@@ -448,3 +448,51 @@ fn wrong_interfaces_are_named() {
     let found = Reduction::craig_bampton(&part, &interfaces(&mesh, MIXES[0]), &count(1), &settings).unwrap_err();
     assert_eq!(found, [Fault::ReducedPartHeld]);
 }
+
+/// One element between two rigid interfaces has nothing that is free: its constraint modes are motions of the faces.
+#[test]
+fn a_part_without_free_nodes_has_no_modes() {
+    let mesh = grids::grid(Shape::Hex8, [1, 1, 1], |[x, y, z]| [x + 0.2 * y, y - 0.1 * x, z + 0.3 * x]);
+    let side = |last: usize| Interface {
+        region: Region::Nodes(
+            (0..8).filter(|&node| usize::from(mesh.nodes[node as usize][2] > 0.65) == last).collect(),
+        ),
+        point: [0.4, 0.6, last as f64],
+        kind: CouplingKind::Rigid,
+    };
+    let (part, interfaces) = (part(&mesh), [side(0), side(1)]);
+    let with = |keep: Keep| Reduction::craig_bampton(&part, &interfaces, &keep, &Settings::default());
+    let reduction = with(Keep { count: None, frequency: Some(1e9) }).unwrap();
+    assert_eq!((reduction.modes, reduction.coordinates()), (0, 12));
+    assert!(reduction.checks.rigid < 1e-14 && reduction.checks.unstrained < 1e-12, "{:?}", reduction.checks);
+    assert_eq!(with(count(1)).unwrap_err(), [Fault::TooManyModes { asked: 1, available: 0 }]);
+}
+
+/// A node that belongs to no element changes nothing.
+#[test]
+fn nodes_of_no_element_stay_where_they_are() {
+    let mesh = bar(Shape::Wedge6);
+    let mut more = mesh.clone();
+    more.nodes.push([3.0, 1.0, -2.0]);
+    for kinds in MIXES {
+        let (one, other) = (reduced(&mesh, kinds, 3), reduced(&more, kinds, 3));
+        close(&other.frequencies, &one.frequencies, 1e-9, "frequencies");
+        assert!(other.checks.rigid < 1e-9, "{:?}", other.checks);
+        assert!(other.shapes.iter().all(|shape| shape[mesh.nodes.len()] == [0.0; 3]));
+    }
+}
+
+#[test]
+fn memory_and_patience_have_ends() {
+    let mesh = bar(Shape::Hex20);
+    let (part, interfaces) = (part(&mesh), interfaces(&mesh, MIXES[1]));
+    let small = Settings { memory: Some(100_000), ..Settings::default() };
+    let found = Reduction::craig_bampton(&part, &interfaces, &count(3), &small).unwrap_err();
+    assert!(matches!(found[..], [Fault::Memory { needed, allowed: 100_000 }] if needed > 100_000), "{found:?}");
+    for share in [0.0, 0.501] {
+        let stop = |done: f64| done < share;
+        let stopped = Settings { progress: &stop, ..Settings::default() };
+        let found = Reduction::craig_bampton(&part, &interfaces, &count(20), &stopped).unwrap_err();
+        assert_eq!(found, [Fault::Interrupted]);
+    }
+}

@@ -7,6 +7,7 @@ mod dynamics;
 mod files;
 mod format;
 mod improve;
+mod lever;
 mod lift;
 mod modes;
 mod planar_in_space;
