@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use bellcrank_fem::{Effort, Reduction, ReductionChecks, ShapeIntegrals};
+use bellcrank_fem::{Effort, Reduction, ReductionChecks, ShapeIntegrals, Shortening};
 use bellcrank_mesh::{Block, Face, Mesh, Shape};
 use sha2::{Digest, Sha256};
 
@@ -22,6 +22,10 @@ pub(super) fn written(of: &Reduced, key: Key) -> Vec<u8> {
     out.mesh(&of.mesh);
     out.reduction(&of.reduction);
     out.list(&of.stress, |out, column| out.numbers(column.as_flattened()));
+    out.list(&of.shortenings, |out, one| {
+        out.whole(one.along);
+        out.numbers(&one.matrix);
+    });
     out.numbers(&of.left_out);
     out.list(&of.notes, |out, note| out.text(note));
     let sum = Sha256::digest(&out.bytes);
@@ -187,9 +191,10 @@ impl<'b> Input<'b> {
         let mesh = self.mesh()?;
         let reduction = self.reduction()?;
         let stress = self.list(Self::vectors)?;
+        let shortenings = self.list(|input| Some(Shortening { along: input.whole()?, matrix: input.numbers()? }))?;
         let left_out = self.numbers()?;
         let notes = self.list(Self::text)?;
-        Some(Reduced { left_out, notes, ..Reduced::new(mesh, reduction, stress) })
+        Some(Reduced { shortenings, left_out, notes, ..Reduced::new(mesh, reduction, stress) })
     }
 
     fn mesh(&mut self) -> Option<Mesh> {

@@ -48,7 +48,9 @@ pub(super) fn reduced(
     let reduction = plane::with_modes(reduction, &modes);
     progress.at(1.0, &format!("{name}: stress of {} shapes", reduction.coordinates()));
     let stress = reduce::stress(&part, &reduction, threads);
-    Ok(Reduced { left_out, notes, ..Reduced::new(mesh, reduction, stress) })
+    let of = |reference| reduce::shortenings(&part, &reduction, reference, threads);
+    let shortenings = recipe.stiffening.map(of).unwrap_or_default();
+    Ok(Reduced { shortenings, left_out, notes, ..Reduced::new(mesh, reduction, stress) })
 }
 
 type Round<'r> = dyn FnMut(&Keep, [f64; 2]) -> Result<Reduction, End> + 'r;

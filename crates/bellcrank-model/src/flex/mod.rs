@@ -15,11 +15,11 @@ mod store;
 mod tests;
 
 use bellcrank_fem::beam::BeamFault;
-use bellcrank_fem::{Reduction, Six};
+use bellcrank_fem::{Reduction, Shortening, Six};
 use bellcrank_mesh::Mesh;
 use bellcrank_multibody::Flexible;
 
-use crate::build::{self, Built, picked};
+use crate::build::{self, Built, picked, shortened};
 use crate::design::{Body, Design, Flexible as Form, Study, Values};
 use crate::elastic::{End, ended};
 use crate::progress::{Progress, Silent};
@@ -36,6 +36,8 @@ pub(crate) struct Reduced {
     pub(crate) reduction: Reduction,
     /// Stress at every node of a unit of each column, Pa.
     pub(crate) stress: Vec<Vec<Six>>,
+    /// How much nearer interfaces come by bending, over all columns; none unless asked.
+    pub(crate) shortenings: Vec<Shortening>,
     /// Natural frequencies of the modes left out as they do not move in the plane of the machine, Hz.
     pub(crate) left_out: Vec<f64>,
     /// What there is to say of how it was made.
@@ -47,7 +49,7 @@ pub(crate) struct Reduced {
 impl Reduced {
     fn new(mesh: Mesh, reduction: Reduction, stress: Vec<Vec<Six>>) -> Reduced {
         let damping = reduction.damping(1.0);
-        Reduced { mesh, reduction, stress, left_out: Vec::new(), notes: Vec::new(), damping }
+        Reduced { mesh, reduction, stress, shortenings: Vec::new(), left_out: Vec::new(), notes: Vec::new(), damping }
     }
 
     /// Number of modes with resting interfaces.
@@ -57,7 +59,11 @@ impl Reduced {
 
     /// Numbers for the engine, of some columns; damping is that of a ratio of 1.
     pub(crate) fn numbers(&self, columns: &[usize]) -> Flexible<f64> {
-        picked(&self.reduction.inertia, &self.reduction.stiffness, &self.damping, columns)
+        let of = &self.reduction;
+        Flexible {
+            shortenings: shortened(&self.shortenings, of.coordinates(), columns),
+            ..picked(&of.inertia, &of.stiffness, &self.damping, columns)
+        }
     }
 }
 

@@ -32,6 +32,8 @@ pub(super) struct Recipe {
     pub(super) interfaces: Vec<(String, [f64; 3])>,
     pub(super) kind: CouplingKind,
     pub(super) keep: Keep,
+    /// The interface that the frame goes with, where tension stiffens the part.
+    pub(super) stiffening: Option<usize>,
     /// The machine cannot feel what leaves the x-y plane.
     pub(super) planar: bool,
 }
@@ -52,6 +54,7 @@ impl Recipe {
                 count: Some(form.modes.count),
                 frequency: form.modes.frequency.as_ref().map(|limit| limit.eval::<f64>(values)),
             },
+            stiffening: form.stiffening.then_some(form.reference),
             planar: design.planar,
         })
     }

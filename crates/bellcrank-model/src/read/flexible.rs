@@ -197,12 +197,6 @@ impl Fitting<'_> {
             ],
             None => vec![("segments", form.segments.as_ref().map(|one| one.span))],
         };
-        if let Some(flag) = form.stiffening.as_ref().filter(|flag| flag.value && self.body().rod.is_none()) {
-            let message = format!("`stiffening` of the flexible body `{name}` is for beams; it has a solid");
-            let hint =
-                "leave it out: the stiffness of a solid does not change with its load; slender parts can be beams";
-            self.fault("conflicting-keys", flag.span, message, hint);
-        }
         if let Some(modes) = form.modes.as_ref().filter(|modes| modes.value > MOST_MODES && self.body().rod.is_some()) {
             let message = format!("{} modes of a segment of a beam; at most {MOST_MODES} are kept", modes.value);
             self.fault("out-of-range", modes.span, message, "take more `segments`");

@@ -5,6 +5,7 @@ mod cases;
 mod designs;
 mod dynamics;
 mod files;
+mod flexible;
 mod format;
 mod improve;
 mod lever;

@@ -87,7 +87,7 @@ impl<S: Space<T = f64>> Machine<S> {
                     reach = (reach * 2.0).min(FARTHEST);
                 }
             }
-            let size = q.iter().fold(1e-9, |m: f64, x| m.max(x.abs())).max(self.load_size());
+            let size = q.iter().fold(1e-9, |m: f64, x| m.max(x.abs())).max(self.load_size()).max(self.bending_size());
             let allowed = self.allowed(held, &q);
             let r: Vec<f64> = allowed.motions.iter().map(|n| dot(n, &q)).collect();
             worst = r.iter().enumerate().fold((0.0, 0), |m, (k, x)| if x.abs() > m.0 { (x.abs(), k) } else { m });
@@ -114,8 +114,21 @@ impl<S: Space<T = f64>> Machine<S> {
     /// Weights as a yardstick of force.
     fn load_size(&self) -> f64 {
         let g = S::spread(self.mech.gravity).iter().map(|x| x * x).sum::<f64>().sqrt();
-        let mass: f64 = self.mech.nodes.iter().filter_map(|n| n.inertia.as_ref()).map(|i| i.mass).sum();
-        mass * g * self.mech.size.min(1.0)
+        let rigid: f64 = self.mech.nodes.iter().filter_map(|n| n.inertia.as_ref()).map(|i| i.mass).sum();
+        let flexible: f64 = self.mech.flexible.iter().map(|body| body.data.inertia.mass).sum();
+        (rigid + flexible) * g * self.mech.size.min(1.0)
+    }
+
+    /// The largest sum of elastic forces, taken without their signs: what a body is bent by balances them to its rounding.
+    fn bending_size(&self) -> f64 {
+        let mut largest = 0.0_f64;
+        for body in &self.mech.flexible {
+            let d: Vec<f64> = body.nodes.iter().map(|&node| self.q[self.mech.nodes[node].q]).collect();
+            for row in body.data.stiffness.chunks_exact(d.len().max(1)) {
+                largest = largest.max(row.iter().zip(&d).map(|(k, d)| (k * d).abs()).sum());
+            }
+        }
+        largest
     }
 
     /// Generalized applied forces Q (nv) at rest here; leaves the machine readable at rest.

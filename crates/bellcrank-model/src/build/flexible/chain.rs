@@ -1,9 +1,9 @@
 //! A beam in segments: a chain of flexible bodies, each with its floating frame at the end of the one before.
 
 use bellcrank_fem::beam::{Beam, BeamFault, Segment};
-use bellcrank_multibody::{BodyId, Place, Shortening};
+use bellcrank_multibody::{BodyId, Place};
 
-use super::columns::{self, kept, picked};
+use super::columns::{kept, picked, shortened};
 use super::grips::{Grip, take_hold};
 use super::{Appending, DAMPING, Deforming, Shapes};
 use crate::build::Built;
@@ -125,7 +125,7 @@ fn piece<T: Scalar>(
     let unit: Vec<T> = unit.into_iter().map(|entry| damping * T::from_f64(entry)).collect();
     let mut numbers = picked(&beam.inertia, &beam.stiffness, &unit, &columns);
     if stiffening {
-        numbers.shortenings = shortenings(beam, &columns);
+        numbers.shortenings = shortened(&beam.shortenings, beam.coordinates(), &columns);
     }
     numbers.body = carrier;
     let mut appending = Appending { planar, blueprint: &mut built.blueprint };
@@ -137,14 +137,4 @@ fn piece<T: Scalar>(
     let shapes = Shapes::Beam(Box::new(beam.clone()));
     built.flexible.push(Deforming { body, carrier, coordinates, modes: modes.len(), columns, shapes });
     node
-}
-
-/// Those along columns that are kept.
-fn shortenings<T: Scalar>(beam: &Beam<T>, columns: &[usize]) -> Vec<Shortening<T>> {
-    let size = beam.coordinates();
-    let of = |one: &bellcrank_fem::beam::Shortening<T>| {
-        let along = columns.iter().position(|column| *column == one.along)?;
-        Some(Shortening { along, matrix: columns::square(&one.matrix, size, columns) })
-    };
-    beam.shortenings.iter().filter_map(of).collect()
 }

@@ -1,8 +1,8 @@
 //! Which columns of a reduction move a body in a machine.
 
-use bellcrank_fem::ShapeIntegrals;
+use bellcrank_fem::{ShapeIntegrals, Shortening as Shape};
 use bellcrank_math::Real;
-use bellcrank_multibody::{BodyId, Flexible, ShapeInertia};
+use bellcrank_multibody::{BodyId, Flexible, ShapeInertia, Shortening};
 
 /// Coordinates of an interface that move it in the plane: x, y, turn about z.
 const IN_PLANE: [usize; 3] = [0, 1, 5];
@@ -48,6 +48,15 @@ pub(crate) fn picked<T: Real>(
 }
 
 /// Some rows and columns of a square matrix.
-pub(super) fn square<T: Copy>(matrix: &[T], size: usize, columns: &[usize]) -> Vec<T> {
+fn square<T: Copy>(matrix: &[T], size: usize, columns: &[usize]) -> Vec<T> {
     columns.iter().flat_map(|row| columns.iter().map(move |column| matrix[row * size + column])).collect()
+}
+
+/// Those along columns that are kept, by their places among these.
+pub(crate) fn shortened<T: Copy>(of: &[Shape<T>], size: usize, columns: &[usize]) -> Vec<Shortening<T>> {
+    let one = |one: &Shape<T>| {
+        let along = columns.iter().position(|column| *column == one.along)?;
+        Some(Shortening { along, matrix: square(&one.matrix, size, columns) })
+    };
+    of.iter().filter_map(one).collect()
 }

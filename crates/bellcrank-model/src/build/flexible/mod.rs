@@ -24,7 +24,7 @@ use crate::flex::{Found, Origin, Reduced};
 use crate::scalar::Scalar;
 
 pub(crate) use chain::MOST_MODES;
-pub(crate) use columns::picked;
+pub(crate) use columns::{picked, shortened};
 pub(super) use grips::faults;
 use grips::{Grip, take_hold};
 
