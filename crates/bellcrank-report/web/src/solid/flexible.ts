@@ -43,8 +43,7 @@ export class FlexibleLayer {
   show(at: number, pixels: number): void {
     const { factor, edges, undeformed } = this.choice;
     for (const drawn of this.drawn) {
-      drawn.moveTo(at);
-      drawn.colour(this.choice.colour, this.present(), at);
+      drawn.show(at, this.choice.colour, this.present());
       drawn.surface.deform(factor);
       drawn.surface.show(edges, undeformed, pixels);
     }
@@ -80,6 +79,7 @@ class Drawn {
   private readonly sums: Sums;
   private readonly values: Float32Array;
   private shown: FlexibleChoice["colour"] | null = null;
+  private at = NaN;
 
   constructor(
     readonly body: FlexibleBody,
@@ -95,7 +95,16 @@ class Drawn {
     this.surface.shape({ displacement: this.sums.move } as Shape);
   }
 
-  moveTo(at: number): void {
+  /** Sums are taken anew only where something changes: a drawing that is turned stays what it is. */
+  show(at: number, chosen: FlexibleChoice["colour"], legend: Legend | null): void {
+    const moved = at !== this.at;
+    if (moved) this.moveTo(at);
+    if (moved || chosen !== this.shown) this.colour(chosen, legend, at);
+    this.at = at;
+    this.shown = chosen;
+  }
+
+  private moveTo(at: number): void {
     const { position, turn } = this.sums.pose(at);
     const [w, x, y, z] = turn;
     this.surface.group.matrix.compose(new Vector3().fromArray(position), new Quaternion(x, y, z, w), ONE);
@@ -104,13 +113,12 @@ class Drawn {
     this.surface.moved();
   }
 
-  colour(chosen: FlexibleChoice["colour"], legend: Legend | null, at: number): void {
+  private colour(chosen: FlexibleChoice["colour"], legend: Legend | null, at: number): void {
     if (chosen === "stress") this.sums.stressAt(at);
     this.fill(chosen, legend?.factor ?? 1);
     if (this.shown !== chosen) {
       const field = legend && { ...legend, leastAt: 0, mostAt: 0, values: this.values };
       this.surface.field(field ?? ({ values: this.values } as Field), STYLE, field === null);
-      this.shown = chosen;
     }
     this.surface.recoloured();
   }

@@ -37,8 +37,6 @@ export class SolidView implements View, Eye {
   private readonly stretched: [number, Stretched][] = [];
   private readonly trails = new Map<string, Mesh | null>();
   private size: V2 = [1, 1];
-  /** Width that the view was fitted to. */
-  private fitted = 1;
 
   private readonly layer: FlexibleLayer | null;
   private readonly cover = new Cover();
@@ -77,9 +75,9 @@ export class SolidView implements View, Eye {
     return this.layer?.choice;
   }
 
-  /** The canvas without the colour bar, px. */
+  /** The canvas without the colour bar, px; its room stays where there is none at the moment, so that the view does. */
   private get room(): V2 {
-    return [Math.max(1, this.size[0] - (this.layer?.legend ? BAR : 0)), this.size[1]];
+    return [Math.max(1, this.size[0] - (this.layer ? BAR : 0)), this.size[1]];
   }
 
   get scale(): number {
@@ -96,7 +94,6 @@ export class SolidView implements View, Eye {
 
   fit(size: V2): void {
     this.size = size;
-    this.fitted = this.room[0];
     this.orbit.fit(this.room);
   }
 
@@ -119,8 +116,6 @@ export class SolidView implements View, Eye {
   draw(context: CanvasRenderingContext2D, at: number, shown: Shown): Spot[] {
     const { drawing, motion } = this.facts;
     const frame = new Frame(motion, drawing.planar, at);
-    // The colour bar has come or gone.
-    if (this.fitted !== this.room[0]) this.fit(this.size);
     this.pose(frame);
     this.layer?.show(at, this.orbit.scale);
     this.point(frame, shown);
