@@ -33,6 +33,7 @@ pub(crate) fn in_row(motion: &FlexibleMotion, at: usize, title: String) -> Conto
         values,
         ceiling: None,
     };
+    let cut = |field: ContourField| ContourField { ceiling: ceiling(motion, &field.values), ..field };
     let mises = field("von Mises stress", &motion.unit, nodes.map(|node| motion.von_mises(at, node) as f32).collect());
     let largest = field("largest von Mises stress over the rows", &motion.unit, motion.envelope.clone());
     let far = moved.iter().map(|u| u.iter().map(|x| x * x).sum::<f64>().sqrt() as f32);
@@ -40,11 +41,7 @@ pub(crate) fn in_row(motion: &FlexibleMotion, at: usize, title: String) -> Conto
         name: String::new(),
         displacement: moved.iter().map(|u| u.map(|x| x as f32)).collect(),
         swings: false,
-        fields: vec![
-            ContourField { ceiling: motion.ceiling, ..mises },
-            ContourField { ceiling: motion.ceiling, ..largest },
-            field("displacement", &motion.length, far.collect()),
-        ],
+        fields: vec![cut(mises), cut(largest), field("displacement", &motion.length, far.collect())],
     };
     Contour {
         title,
@@ -55,6 +52,11 @@ pub(crate) fn in_row(motion: &FlexibleMotion, at: usize, title: String) -> Conto
         shapes: vec![shape],
         marks: motion.marks.iter().map(|mark| label(motion, mark, at)).collect(),
     }
+}
+
+/// Where colours end, where there is something above.
+fn ceiling(motion: &FlexibleMotion, values: &[f32]) -> Option<f32> {
+    motion.ceiling.filter(|ceiling| values.iter().any(|value| *value > 1.0001 * ceiling))
 }
 
 fn label(motion: &FlexibleMotion, mark: &bellcrank_results::MotionMark, at: usize) -> ContourMark {

@@ -73,8 +73,8 @@ fn described(run: &RunResult, index: usize, animation: &Animation, blocks: &mut 
         blocks.push_str("</script>\n");
     }
     let stresses: Vec<f32> = shown.iter().flat_map(|motion| motion.envelope.iter().copied()).collect();
-    let ceiling = shown.iter().map(|motion| motion.limit() as f32).fold(0.0, f32::max);
-    let ceiling = shown.iter().any(|motion| motion.ceiling.is_some()).then_some(ceiling);
+    let top = shown.iter().map(|motion| motion.limit() as f32).fold(0.0, f32::max);
+    let ceiling = stresses.iter().any(|stress| *stress > 1.0001 * top).then_some(top);
     Some(json!({
         "study": index,
         "usual": usual,

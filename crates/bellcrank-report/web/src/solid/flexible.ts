@@ -14,16 +14,21 @@ import { bodyColour } from "../scene/pen";
 import * as kit from "./kit";
 
 const STYLE: Style = { rainbow: false, bands: true };
+/** Hot spots with less than this share of the largest stress stand in the table only. */
+const TOLD = 0.1;
 const ONE = new Vector3(1, 1, 1);
 
 export class FlexibleLayer {
   readonly choice: FlexibleChoice;
   readonly group = new Group();
   private readonly drawn: Drawn[];
+  /** Stress that a hot spot has in some frame to be worth a label. */
+  private readonly told: number;
 
   constructor(readonly flexible: Flexible) {
     const { bodies, usual } = flexible;
-    this.choice = { colour: "stress", factor: usual, usual, spots: true, undeformed: false, edges: true, worst: bodies[0]?.worst ?? 0 };
+    this.choice = { colour: "stress", factor: usual, usual, spots: true, undeformed: false, edges: true, worst: strongest(bodies)?.worst ?? 0 };
+    this.told = Math.max(0, ...bodies.map(peak)) * TOLD;
     this.drawn = bodies.map((body, k) => new Drawn(body, flexible, k));
     this.group.add(...this.drawn.map(({ surface }) => surface.group));
   }
@@ -54,7 +59,7 @@ export class FlexibleLayer {
     if (!this.choice.spots || this.choice.colour !== "stress") return [];
     const named = this.drawn.length > 1;
     return this.drawn.flatMap((drawn) =>
-      drawn.body.spots.map(({ label, node, doubtful, history }) => {
+      drawn.body.spots.filter(({ history }) => most(history) >= this.told).map(({ label, node, doubtful, history }) => {
         const stress = withUnit(between(history, at), this.flexible.stress.unit, 3);
         const text = `${named ? `${drawn.body.name}, ` : ""}${label}: ${stress}`;
         return { at: project(drawn.place(node, this.choice.factor)), text, doubtful, hidden: false };
@@ -71,6 +76,19 @@ export class FlexibleLayer {
   stands(body: number): boolean {
     return this.flexible.bodies.some((flexible) => flexible.body === body);
   }
+}
+
+function most(history: Float32Array): number {
+  return history.reduce((most, stress) => (stress > most ? stress : most), 0);
+}
+
+/** The largest stress of the hot spots of a body. */
+function peak(body: FlexibleBody): number {
+  return Math.max(0, ...body.spots.map(({ history }) => most(history)));
+}
+
+function strongest(bodies: FlexibleBody[]): FlexibleBody | undefined {
+  return [...bodies].sort((a, b) => peak(b) - peak(a))[0];
 }
 
 /** One body on the graphics card. */
