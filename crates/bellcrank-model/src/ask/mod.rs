@@ -14,6 +14,7 @@ use std::time::Instant;
 use bellcrank_results::{Failure, StudyResult};
 
 use crate::design::{Ask, Design, Question, Study};
+use crate::flex;
 use crate::model::parameter_row;
 use crate::progress::Progress;
 use crate::{RunOptions, trial::Undefined};
@@ -40,6 +41,7 @@ pub(crate) fn run(
             if let Err(why) = answer(&asking, &mut result, progress) {
                 result.failure = Some(failed(study, why));
             }
+            result.warnings.extend(differences(&asking));
         }
         None => result.failure = Some(failed(study, missing(ask))),
     }
@@ -55,6 +57,30 @@ fn answer(asking: &Asking<'_>, result: &mut StudyResult, progress: &mut dyn Prog
         Question::Tolerance(question) => tolerance::run(asking, question, result, progress),
         Question::Sizing(question) => sizing::run(asking, question, result, progress),
     }
+}
+
+/// What is said where derivatives are differences.
+fn differences(asking: &Asking<'_>) -> Option<String> {
+    let (design, study) = (asking.design, asking.study);
+    let derives =
+        matches!(asking.ask.question, Question::Sensitivity(_) | Question::Optimize(_) | Question::Tolerance(_));
+    if !derives || !flex::applies(design, study) {
+        return None;
+    }
+    let changes = |index: &usize| flex::changes(design, &study.parameters, *index);
+    let names: Vec<String> = asking
+        .ask
+        .parameters()
+        .into_iter()
+        .filter(changes)
+        .map(|index| format!("`{}`", asking.parameter(index).name))
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "derivatives by {} are differences over 2 % of the value: each makes another mesh of a flexible body",
+            names.join(", ")
+        )
+    })
 }
 
 /// A model that was checked has the study; a fault of the program is told like any other.

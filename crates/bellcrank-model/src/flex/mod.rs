@@ -8,7 +8,6 @@ mod cache;
 mod file;
 mod make;
 mod plane;
-#[allow(dead_code, reason = "which parameters need differences is for the gradients of trials")]
 mod recipe;
 mod store;
 #[cfg(test)]
@@ -26,6 +25,7 @@ use crate::progress::{Progress, Silent};
 use crate::scalar::Scalar;
 
 pub(crate) use plane::felt;
+pub(crate) use recipe::changes;
 pub(crate) use store::{Found, Origin, Store};
 
 /// A solid as a body with a few coordinates, in body axes.
@@ -72,6 +72,11 @@ fn solids(design: &Design) -> impl Iterator<Item = (usize, &Form)> {
     let with_solid = |(index, body): (usize, &'_ Body)| body.solid.is_some().then_some(index);
     let places = design.bodies.iter().enumerate().filter_map(with_solid);
     places.filter_map(|index| Some((index, design.bodies[index].flexible.as_ref()?)))
+}
+
+/// Whether a study runs a machine with solids that deform.
+pub(crate) fn applies(design: &Design, study: &Study) -> bool {
+    study.flexible && solids(design).next().is_some()
 }
 
 /// Makes the reductions that a study needs, or finds them, and says so; what there is to note of them is answered.

@@ -68,14 +68,11 @@ impl Recipe {
     }
 }
 
-/// Parameters of the main file that change a reduction, by their places: derivatives by these need differences, as no
-/// exact one goes through a mesh. A body's points count where they are interfaces or the solid is laid on them.
-pub(crate) fn differing(design: &Design, main: &ParameterSet) -> Vec<usize> {
-    (0..main.all().len()).filter(|&index| changes_any(design, main, index)).collect()
-}
-
+/// Whether a parameter of the main file changes a reduction: derivatives by it need differences, as no exact one goes
+/// through a mesh. A body's points count where they are interfaces or the solid is laid on them.
+///
 /// A derivative that is not a number taints all that depends on the parameter.
-fn changes_any(design: &Design, main: &ParameterSet, index: usize) -> bool {
+pub(crate) fn changes(design: &Design, main: &ParameterSet, index: usize) -> bool {
     let Some(value) = main.values().get(index) else { return false };
     let tainted = Dual::<1> { re: *value, eps: [f64::NAN] };
     let values = Values::with(&design.scopes, main, &[(index, tainted)]);

@@ -1,6 +1,6 @@
 use std::path::{Path, PathBuf};
 
-use super::recipe::{Recipe, differing};
+use super::recipe::{Recipe, changes};
 use super::{Origin, Reduced, file};
 use crate::design::{Design, Values};
 use crate::load::load_text;
@@ -145,10 +145,9 @@ fn every_number_of_the_recipe_is_in_the_key() {
 fn parameters_that_change_a_reduction_are_known() {
     let model = lever(&[]);
     let design = model.design();
-    let names: Vec<&str> = differing(design, &design.scopes[0].parameters)
-        .into_iter()
-        .map(|index| design.scopes[0].parameters.all()[index].name.as_str())
-        .collect();
+    let main = &design.scopes[0].parameters;
+    let found = main.all().iter().enumerate().filter(|(index, _)| changes(design, main, *index));
+    let names: Vec<&str> = found.map(|(_, parameter)| parameter.name.as_str()).collect();
     assert_eq!(names, ["long", "thick", "hard"]);
 }
 

@@ -64,8 +64,15 @@ impl<'d> Trial<'d> {
     pub(crate) fn gradients(&mut self, by: &[usize]) -> Result<Vec<Derived>, Undefined> {
         self.note_ambiguous();
         self.polish()?;
+        let remeshed = self.remeshed(by);
+        let exact: Vec<usize> = (0..by.len()).filter(|place| !remeshed.contains(place)).collect();
+        let mut groups = self.independent(by, &exact);
+        if groups.is_empty() {
+            // Values are asked for, whatever they are derived by.
+            groups.push(Vec::new());
+        }
         let mut derived: Vec<Derived> = Vec::new();
-        for group in self.independent(by) {
+        for group in groups {
             let some: Vec<usize> = group.iter().map(|&place| by[place]).collect();
             self.seed(&some)?;
             let lanes = self.lanes()?;
@@ -77,14 +84,19 @@ impl<'d> Trial<'d> {
                 derived[index].take(&pieces, &group);
             }
         }
+        for place in remeshed {
+            let slopes = self.differences(by[place])?;
+            derived.iter_mut().zip(slopes).for_each(|(of, slope)| of.slope(place, slope));
+        }
         Ok(derived)
     }
 
-    /// Places in `by`, in groups that are seeded at once: what follows another parameter is not seeded beside it, as a
+    /// Some places in `by`, in groups that are seeded at once: what follows another parameter is not seeded beside it, as a
     /// seed takes the place of the definition.
-    fn independent(&self, by: &[usize]) -> Vec<Vec<usize>> {
+    fn independent(&self, by: &[usize], places: &[usize]) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
-        for (place, &index) in by.iter().enumerate() {
+        for &place in places {
+            let index = by[place];
             let follows = |a: usize, b: usize| a == b || self.parameters.depends_on(a, b);
             let apart = |group: &&mut Vec<usize>| {
                 group.len() < SEEDS && !group.iter().any(|&p| follows(by[p], index) || follows(index, by[p]))
@@ -360,6 +372,11 @@ impl Derived {
     fn new(pieces: &[Seeded], count: usize) -> Derived {
         let piece = |x: &Seeded| Piece { value: x.re, gradient: vec![0.0; count] };
         Derived { active: piece(&pieces[0]), others: pieces[1..].iter().map(piece).collect() }
+    }
+
+    /// The slope by one parameter that is known of the response alone: its other extremes are taken to go along.
+    fn slope(&mut self, place: usize, slope: f64) {
+        std::iter::once(&mut self.active).chain(&mut self.others).for_each(|piece| piece.gradient[place] = slope);
     }
 
     /// Derivatives of a group of parameters, lane by lane to their places.

@@ -1,10 +1,12 @@
-//! One study run for a few numbers: designs are tried here, with exact derivatives when asked.
+//! One study run for a few numbers: designs are tried here, with exact derivatives when asked (differences
+//! by what makes another mesh).
 //!
 //! A [`Trial`] holds a machine and a study. [`Trial::run`] gives it other parameters and works out the responses;
 //! [`Trial::gradients`] follows with their derivatives at the same design. Maxima and minima are those of the curve
 //! between the rows, too: the rows only say where to look.
 
 mod asked;
+mod differences;
 mod extremes;
 mod gradient;
 mod machine;

@@ -1,6 +1,7 @@
 //! Flexible bodies from the file to the rows.
 
 use bellcrank_model::Model;
+use bellcrank_results::Findings;
 
 use crate::support::{model, run};
 
@@ -11,6 +12,9 @@ fn cantilever(body: &str) -> Model {
 bellcrank = 1
 space = "planar"
 gravity = [0, 0]
+[parameters]
+thick = "9 mm"
+push = "100 N"
 [ground.points]
 O = ["30 mm", "-20 mm"]
 [bodies.arm]
@@ -19,7 +23,7 @@ points = {{ A = ["-12 mm", "7 mm"], B = ["288 mm", "407 mm"] }}
 [joints]
 fixed = {{ kind = "weld", connects = ["ground.O", "arm.A"] }}
 [forces]
-end = {{ kind = "force", on = "arm.B", vector = ["-80 N", "60 N"] }}
+end = {{ kind = "force", on = "arm.B", vector = ["-0.8*push", "0.6*push"] }}
 [materials.steel]
 density = "7850 kg/m^3"
 young = "210 GPa"
@@ -27,18 +31,29 @@ poisson = 0.3
 [beams.bar]
 material = "steel"
 between = ["A", "B"]
-width = "9 mm"
+width = "thick"
 height = "16 mm"
 [solids.bar]
 material = "steel"
-thickness = "9 mm"
+thickness = "thick"
 [solids.bar.plates]
 bar = {{ outline = [["-18.4 mm", "11.8 mm"], ["-5.6 mm", "2.2 mm"], ["294.4 mm", "402.2 mm"], ["281.6 mm", "411.8 mm"]] }}
+[solids.link]
+material = "steel"
+thickness = "thick"
+eyes = {{ A = {{ bore = "9 mm", outer = "24 mm" }}, B = {{ bore = "9 mm", outer = "24 mm" }} }}
+webs = {{ w = {{ between = ["A", "B"], width = "16 mm" }} }}
 [studies.rest]
 kind = "statics"
 [studies.rigid]
 like = "rest"
 flexible = false
+[studies.by]
+kind = "sensitivity"
+of = "rest"
+response = "last(point.arm.B.x)"
+parameters = ["thick", "push"]
+points = 0
 "#
     );
     model("cantilever", &text)
@@ -84,4 +99,25 @@ fn a_loaded_solid_bends_as_the_beam() {
     };
     let [solid, beam] = [&solid, &beam].map(across);
     assert!(solid < beam && solid > 0.95 * beam, "{solid} {beam}");
+}
+
+/// A deflection is in proportion to the load, and to one over the thickness across it: exactly for a beam, by differences for
+/// a solid that is meshed anew.
+#[test]
+fn deflections_have_derivatives() {
+    let bodies = [
+        ("beam = \"bar\"\nflexible = { segments = 2, interfaces = [\"A\", \"B\"], stiffening = false }", 5e-3, 0),
+        ("solid = \"link\"\nflexible = { interfaces = [\"A\", \"B\"], modes = 0 }", 2e-2, 1),
+    ];
+    for (body, slack, warnings) in bodies {
+        let of = cantilever(body);
+        let moved = place(&of, "rest")[0] - place(&of, "rigid")[0];
+        let result = run(&of, "by");
+        assert!(result.failure.is_none(), "{:?}", result.failure);
+        let Some(Findings::Sensitivity(found)) = &result.findings else { panic!("{:?}", result.findings) };
+        let [thick, push] = [0, 1].map(|place| found.parameters[place].derivative);
+        assert!((thick * 0.009 / -moved - 1.0).abs() < slack, "{thick} {moved}");
+        assert!((push * 100.0 / moved - 1.0).abs() < slack, "{push} {moved}");
+        assert_eq!(result.warnings.len(), warnings, "{:?}", result.warnings);
+    }
 }
