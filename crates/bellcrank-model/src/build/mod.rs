@@ -24,7 +24,7 @@ use crate::geometry::Geometry;
 use crate::scalar::Scalar;
 
 pub(crate) use faults::{check_connected, loose_bodies};
-pub(crate) use flexible::{Deforming, MOST_MODES, deform, picked, shortened};
+pub(crate) use flexible::{DAMPING, Deforming, MOST_MODES, Shapes as ShapesOf, deform, picked, shortened};
 pub(crate) use forward::idle_velocities;
 pub(crate) use materials::{ElasticNumbers, MaterialNumbers, material, material_faults};
 pub(crate) use plausible::{implausible, implausible_study};

@@ -15,6 +15,7 @@ mod problem;
 mod regions;
 mod spots;
 mod stress;
+pub(crate) mod stroke;
 mod vector;
 mod watched;
 mod worst;

@@ -15,6 +15,7 @@ use super::notes::Notes;
 use super::recorder::Recorder;
 use crate::build::{self, Built};
 use crate::design::{Design, Hold, Study, Task};
+use crate::elastic::stroke::{self, Shapes};
 use crate::flex;
 use crate::measure::Measure;
 use crate::model::parameter_row;
@@ -35,6 +36,7 @@ pub(crate) struct Session<'d> {
     inputs: Inputs,
     recorder: Recorder,
     frames: Frames,
+    shapes: Shapes,
     efforts: Vec<Coordinate>,
     pub(super) notes: Notes,
     pub(super) result: StudyResult,
@@ -74,6 +76,7 @@ impl<'d> Session<'d> {
             inputs,
             recorder: Recorder::default(),
             frames: Frames::default(),
+            shapes: Shapes::default(),
             efforts: Vec::new(),
             notes: Notes::default(),
             result,
@@ -211,6 +214,7 @@ impl<'d> Session<'d> {
         };
         self.recorder.record(&view);
         self.frames.record(&view, self.recorder.rows() - 1);
+        self.shapes.record(view.readings, &self.built.flexible);
         if let Some(watch) = &mut self.watch {
             watch(&view, self.built.blueprint.gravity);
         }
@@ -274,6 +278,7 @@ impl<'d> Session<'d> {
         result.table = self.recorder.table();
         result.animation = self.frames.animation();
         result.warnings.extend(notes);
+        stroke::tell(self.design, self.study, &self.built, &self.shapes, &mut result);
         let count = |name: &str, value: usize| (name.to_owned(), value as f64);
         if result.effort.is_empty() {
             result.effort = vec![

@@ -66,7 +66,7 @@ impl<T> Deforming<T> {
 }
 
 /// Part of critical damping in every natural mode, unless given: welded and bolted steel has 0.005 to 0.02.
-const DAMPING: f64 = 0.01;
+pub(crate) const DAMPING: f64 = 0.01;
 
 /// Appends to a blueprint.
 struct Appending<'a, T> {

@@ -1,0 +1,98 @@
+//! Flexible bodies over the rows of a study: how far they deform, and the stress in them.
+//!
+//! Reading order: [`rows`] (what is kept while the machine moves), [`recovery`] (stress at nodes, row by row),
+//! [`spots`] (the largest of each region, with its history), [`told`] (what is said of a body), [`picture`].
+
+mod picture;
+mod recovery;
+mod rows;
+mod spots;
+mod told;
+
+use bellcrank_results::{Column, FlexibleBodies, FlexibleBody, StudyResult};
+
+use crate::build::{Built, Deforming};
+use crate::design::{Design, Study, Values};
+use crate::elastic::End;
+use crate::elastic::meshing::Solid;
+use crate::elastic::pictures::Picture;
+use crate::measure::Measure;
+use crate::run::Places;
+
+pub(crate) use rows::Shapes;
+
+/// One flexible body and what is known of it.
+struct Body<'a> {
+    design: &'a Design,
+    values: &'a Values,
+    deforming: &'a Deforming,
+    solid: Solid,
+    rows: &'a rows::BodyRows,
+}
+
+/// Adds what the flexible bodies of a study did to its result, whose table and animation are there.
+pub(crate) fn tell(design: &Design, study: &Study, built: &Built, shapes: &Shapes, result: &mut StudyResult) {
+    if built.flexible.is_empty() || shapes.count() == 0 {
+        return;
+    }
+    let units = [Measure::Stress, Measure::Length].map(|measure| design.units.of(measure));
+    let mut found = FlexibleBodies {
+        bodies: Vec::new(),
+        assumptions: Vec::new(),
+        unit: units[0].clone(),
+        length: units[1].clone(),
+    };
+    for (deforming, rows) in built.flexible.iter().zip(&shapes.bodies) {
+        match one(design, study, (deforming, rows), result) {
+            Ok(body) => found.bodies.push(body),
+            Err(end) => result.warnings.push(end.message),
+        }
+    }
+    result.flexible = Some(found);
+}
+
+fn one(
+    design: &Design,
+    study: &Study,
+    (deforming, rows): (&Deforming, &rows::BodyRows),
+    result: &mut StudyResult,
+) -> Result<FlexibleBody, End> {
+    let values = &study.values;
+    let Some(form) = &design.bodies[deforming.body].flexible else { return Err(super::ended("", "")) };
+    let solid = Solid::of(design, values, &form.mesh, deforming.body)?;
+    let body = Body { design, values, deforming, solid, rows };
+    let places = places(design, study, result);
+    let recovered = recovery::Recovered::new(&body, form);
+    let mut spots = spots::spots(&body, &recovered, &places)?;
+    let name = &design.bodies[deforming.body].name;
+    columns(design, name, &recovered, &mut spots, result);
+    let picture = Picture::new(&deforming.reduced.mesh);
+    result.motions.extend(picture::motion(&body, &picture, &recovered, &spots, result.animation.as_ref()));
+    let told = told::body(&body, form, &recovered, spots, &places)?;
+    result.warnings.extend(told::warnings(&told));
+    Ok(told)
+}
+
+/// Where the machine was, row by row, in words.
+fn places(design: &Design, study: &Study, result: &StudyResult) -> Vec<String> {
+    let places = Places::new(design, study);
+    let axis = result.axis.first().and_then(|name| result.table.column(name));
+    axis.map_or_else(Vec::new, |axis| axis.values.iter().map(|at| places.at(*at)).collect())
+}
+
+/// The histories of the hot spots as signals of the table.
+fn columns(
+    design: &Design,
+    body: &str,
+    recovered: &recovery::Recovered,
+    spots: &mut [spots::Spot],
+    result: &mut StudyResult,
+) {
+    let unit = design.units.of(Measure::Stress);
+    for spot in spots.iter_mut().filter(|spot| spot.found.singular.is_none()) {
+        let name = format!("stress.{body}.{}", recovered.regions[spot.region].key);
+        let values = spot.history.clone();
+        result.table.columns.push(Column { name: name.clone(), unit: unit.clone(), values });
+        spot.found.signal = name;
+    }
+}
