@@ -31,6 +31,9 @@ impl Study {
             Task::Dynamics(of) => forward::check(&mut numbers, of),
             Task::Modes(of) => {
                 held(&mut numbers, &of.holds);
+                if let Some(sweep) = &of.sweep {
+                    ends(&mut numbers, sweep);
+                }
                 check_motions(&mut numbers, &of.motions);
             }
             Task::Parts(of) => of.each_quantity(&mut |quantity| {

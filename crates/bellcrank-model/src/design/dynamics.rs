@@ -55,6 +55,8 @@ pub(crate) struct Modes {
     pub(crate) equilibrium: bool,
     pub(crate) holds: Vec<Hold>,
     pub(crate) motions: Vec<usize>,
+    /// At each position of a held coordinate.
+    pub(crate) sweep: Option<super::Sweep>,
     /// So many are told, the slowest first.
     pub(crate) count: Option<usize>,
 }

@@ -85,6 +85,7 @@ impl Study {
             Task::Motion { over: Over::Positions { sweep, .. }, .. } | Task::Statics { sweep: Some(sweep), .. } => {
                 Some(sweep.coordinate)
             }
+            Task::Modes(of) => of.sweep.as_ref().map(|sweep| sweep.coordinate),
             _ => None,
         }
     }
@@ -139,7 +140,12 @@ impl Task {
                 holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit);
             }
             Task::Dynamics(of) => of.each_quantity(visit),
-            Task::Modes(of) => of.holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit),
+            Task::Modes(of) => {
+                if let Some(sweep) = &of.sweep {
+                    sweep.each_quantity(visit);
+                }
+                of.holds.iter().filter_map(|hold| hold.at.as_ref()).for_each(visit);
+            }
             Task::Parts(of) => of.each_quantity(visit),
             // Its expressions are over the main file's parameters; `Study::named` has them.
             Task::Ask(_) | Task::Later => {}

@@ -43,6 +43,7 @@ impl Tasks<'_> {
                 equilibrium: keys.forward.equilibrium.unwrap_or(true),
                 holds,
                 motions: keys.motions.unwrap_or_default(),
+                sweep: keys.sweep.map(|(sweep, _)| sweep),
                 count: keys.forward.count,
             }),
             kind => Task::Motion { forces: kind == "inverse-dynamics", over: self.over(keys)?, holds },
@@ -61,7 +62,7 @@ impl Tasks<'_> {
 
     /// Keys of modes of a machine mean nothing for a body.
     fn refuse_machine_keys(&self) {
-        let machine = ["hold", "motions", "count", "equilibrium"];
+        let machine = ["hold", "sweep", "motions", "count", "equilibrium"];
         for key in machine.into_iter().filter(|key| self.kind == "modes" && self.own(key)) {
             let message = format!("`{key}` of study `{}` is for modes of the machine; it has a `body`", self.entry.key);
             self.report("conflicting-keys", message);

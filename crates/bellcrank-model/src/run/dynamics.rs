@@ -1,4 +1,5 @@
-//! Motion from forces: from row to row and from event to event.
+//! Motion from forces: from row to row and from event to event. Flexible bodies of a machine whose drives take all
+//! other freedom begin bent by what they carry; others begin undeformed.
 
 use bellcrank_multibody::{Advance, Coordinate, Dynamics as LetGo, Event, EventKind, Method};
 use bellcrank_results::{Ended, Events};
@@ -35,6 +36,7 @@ pub(super) fn run<'d>(session: &mut Session<'d>, of: &'d Dynamics, progress: &mu
     breaks.retain(|time| *time > 0.0 && *time < duration);
     breaks.push(duration);
     let plan = plan(session, of, &course, breaks);
+    session.settle_at_start(&course, &laws);
     let around = session.surroundings(laws, &course, (&of.stop_when, &of.signals));
     let mut walk = Walk { session, of, around, rows: course.rows, duration, pace: Pace::default(), progress };
     let outcome = walk.all(&plan);

@@ -31,7 +31,8 @@ pub(super) fn conserves(blueprint: &Blueprint<f64>) -> bool {
             stiffness[..3].iter().all(constant) && stiffness[3..].iter().all(zero) && damping.iter().all(zero)
         }
     };
-    blueprint.forces.iter().all(keeps)
+    let elastic = blueprint.flexible.iter().all(|body| body.damping.iter().all(|entry| *entry == 0.0));
+    elastic && blueprint.forces.iter().all(keeps)
 }
 
 fn zero(value: &Value<f64>) -> bool {

@@ -1,10 +1,10 @@
-//! Natural frequencies, damping and mode shapes about a position.
+//! Natural frequencies, damping and mode shapes about a position, or about each position of a sweep.
 
 use bellcrank_multibody::{Coordinate, JointId, Linearized};
-use bellcrank_results::{Findings, ModeRow, Modes as Found, ShapeRow, Unit};
+use bellcrank_results::{Column, Findings, ModeRow, Modes as Found, ShapeRow, Unit};
 
 use super::End;
-use super::course::{Laws, Path, Targets};
+use super::course::{Course, Laws, Path, Targets};
 use super::session::Session;
 use crate::design::Modes;
 use crate::measure::{Measure, Motion};
@@ -16,27 +16,78 @@ const BALANCED: f64 = 1e-6;
 
 pub(super) fn run<'d>(session: &mut Session<'d>, of: &'d Modes, progress: &mut dyn Progress) -> Result<(), End> {
     progress.at(0.0, "assembling");
-    let course = session.begin(Path::Rest(None), &of.holds, &of.motions)?;
-    session.carry(course.actuation.effort.clone());
-    session.expect_rows(1, false)?;
-    let mut targets = Targets::default();
-    let laws: Laws<'_> = session.laws(&course);
-    laws.prescribe(0.0, &mut targets);
-    if of.equilibrium {
-        progress.at(0.2, "looking for equilibrium");
-        let hold: Vec<(Coordinate, f64)> =
-            course.actuation.position.iter().copied().zip(targets.position.iter().copied()).collect();
-        session.equilibrium(&hold, "")?;
-    } else {
-        session.record(Level::Position);
+    let course = session.begin(Path::Rest(of.sweep.as_ref()), &of.holds, &of.motions)?;
+    if of.sweep.is_some() && !of.equilibrium {
+        session.prepare(&course.actuation)?;
     }
-    progress.at(0.5, "linearizing");
-    let mut around = session.surroundings(laws, &course, (&[], &[]));
-    let linear = session.linearize(&course.actuation.position, &mut around)?;
-    warn(session, of, &linear);
-    session.result.findings = Some(Findings::Modes(found(session, of, &linear)));
+    session.carry(course.actuation.effort.clone());
+    session.expect_rows(course.rows, false)?;
+    session.result.axis = of.sweep.iter().map(|_| session.axis_name()).collect();
+    let mut frequencies = Frequencies::default();
+    for row in 0..course.rows {
+        let share = row as f64 / course.rows as f64;
+        progress.at(share, "looking for equilibrium");
+        if progress.cancelled() {
+            return Err(super::explain::cancelled(row));
+        }
+        let linear = one(session, of, &course, row)?;
+        progress.at(share, "linearizing");
+        if row == 0 {
+            warn(session, of, &linear);
+            session.result.findings = Some(Findings::Modes(found(session, of, &linear)));
+        }
+        frequencies.add(&linear, of.count);
+    }
+    if of.sweep.is_some() {
+        session.beside = frequencies.columns();
+    }
     progress.at(1.0, "done");
     Ok(())
+}
+
+/// The machine at a row, linearized.
+fn one<'d>(session: &mut Session<'d>, of: &'d Modes, course: &Course<'d>, row: usize) -> Result<Linearized, End> {
+    let laws: Laws<'_> = session.laws(course);
+    let mut targets = Targets::default();
+    let place = laws.axis(row as f64);
+    laws.prescribe(place, &mut targets);
+    let here = if of.sweep.is_some() { session.places().at(place) } else { String::new() };
+    if of.equilibrium {
+        let hold: Vec<(Coordinate, f64)> =
+            course.actuation.position.iter().copied().zip(targets.position.iter().copied()).collect();
+        session.equilibrium(&hold, &here)?;
+    } else {
+        if of.sweep.is_some() {
+            session.move_to(0.0, &targets.position, &|| here.clone())?;
+        }
+        session.record(Level::Position);
+    }
+    let mut around = session.surroundings(laws, course, (&[], &[]));
+    session.linearize(&course.actuation.position, &mut around)
+}
+
+/// Natural frequencies and damping, row by row; a mode that a row has not is NaN there.
+#[derive(Default)]
+struct Frequencies {
+    rows: Vec<Vec<[f64; 2]>>,
+}
+
+impl Frequencies {
+    fn add(&mut self, linear: &Linearized, count: Option<usize>) {
+        let modes = linear.modes.iter().take(count.unwrap_or(usize::MAX));
+        self.rows.push(modes.map(|mode| [mode.frequency, mode.damping]).collect());
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let most = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let column = |mode: usize, part: usize, name: &str, unit: Unit| Column {
+            name: format!("mode.{}.{name}", mode + 1),
+            unit,
+            values: self.rows.iter().map(|row| row.get(mode).map_or(f64::NAN, |of| of[part])).collect(),
+        };
+        let both = |mode| [column(mode, 0, "frequency", Unit::new("Hz", 1.0)), column(mode, 1, "damping", Unit::one())];
+        (0..most).flat_map(both).collect()
+    }
 }
 
 fn found(session: &mut Session<'_>, of: &Modes, linear: &Linearized) -> Found {

@@ -4,7 +4,7 @@ mod forward;
 
 use bellcrank_doc::Diagnostic;
 use bellcrank_multibody::{Actuation, Coordinate, Engine, MechanismError, Moved};
-use bellcrank_results::{Failure, Reaction, StudyResult};
+use bellcrank_results::{Column, Failure, Reaction, StudyResult};
 
 use super::End;
 use super::animation::Frames;
@@ -37,6 +37,8 @@ pub(crate) struct Session<'d> {
     recorder: Recorder,
     frames: Frames,
     shapes: Shapes,
+    /// Columns beside those of the model's signals, as long as the table.
+    pub(super) beside: Vec<Column>,
     efforts: Vec<Coordinate>,
     pub(super) notes: Notes,
     pub(super) result: StudyResult,
@@ -77,6 +79,7 @@ impl<'d> Session<'d> {
             recorder: Recorder::default(),
             frames: Frames::default(),
             shapes: Shapes::default(),
+            beside: Vec::new(),
             efforts: Vec::new(),
             notes: Notes::default(),
             result,
@@ -276,6 +279,7 @@ impl<'d> Session<'d> {
         let notes = std::mem::take(&mut self.notes).sentences();
         let mut result = self.result;
         result.table = self.recorder.table();
+        result.table.columns.append(&mut self.beside);
         result.animation = self.frames.animation();
         result.warnings.extend(notes);
         stroke::tell(self.design, self.study, &self.built, &self.shapes, &mut result);

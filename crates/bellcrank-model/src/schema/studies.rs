@@ -72,6 +72,7 @@ const DYNAMICS: &[Key] = &[
     Key::optional("largest_step", Value(D::TIME), "no step is longer"),
 ];
 const MODES: &[Key] = &[
+    Key::optional("sweep", Table(&SWEEP), "at each position of this joint"),
     HOLD,
     Key::optional("motions", Names, "motions whose joints are held where they begin; none unless given"),
     Key::optional("count", Whole(1, 100_000), "so many modes, the slowest first; all unless given"),

@@ -73,7 +73,6 @@ fn checks(of: &Body<'_>, density: f64) -> Vec<ReductionCheck> {
             inertia(of, density),
         ),
         check("rigid_motion", "shapes of all interfaces moved as one against that motion", known.rigid),
-        check("unstrained", "force that such a motion leaves, against the forces that cancel", known.unstrained),
         check("static_residual", "unbalanced force of a static shape", known.static_residual),
         check("mode_residual", "residual of a mode with resting interfaces", known.mode_residual),
     ]

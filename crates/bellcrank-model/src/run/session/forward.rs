@@ -9,7 +9,8 @@ use bellcrank_results::Failure;
 use super::Session;
 use crate::design::{ForceShape, Joint, Load, StopWhen};
 use crate::run::End;
-use crate::run::course::{Course, Laws};
+use crate::run::course::{Course, Laws, Targets};
+use crate::run::inputs::Evaluated;
 use crate::run::surroundings::{Around, Suspect};
 use crate::signals::Signal;
 
@@ -36,6 +37,26 @@ impl<'d> Session<'d> {
         &*self.engine
     }
 
+    /// Bends flexible bodies by what they carry at time 0, where the drives say how everything moves; else they stay
+    /// as they are.
+    pub(in crate::run) fn settle_at_start(&mut self, course: &Course<'d>, laws: &Laws<'d>) {
+        if self.built.flexible.is_empty() || self.engine.prepare(&course.actuation).is_err() {
+            return;
+        }
+        let mut at = Targets::default();
+        laws.prescribe(0.0, &mut at);
+        let of = Evaluated { design: self.design, values: &self.study.values, geometry: &self.built.geometry };
+        let inputs = &mut self.inputs;
+        let moved = self.engine.move_to(0.0, &at.position).is_ok();
+        let settled = moved
+            && self.engine.set_rates(&at.velocity, &at.acceleration).is_ok()
+            && self.engine.solve_forces(&mut |at, values| inputs.evaluate(at, of, values)).is_ok();
+        if !settled {
+            let message = "the flexible bodies begin as they are: nothing bends them so that they carry their loads";
+            self.result.warnings.push(message.to_owned());
+        }
+    }
+
     /// Consistent velocities, accelerations and forces at time 0.
     pub(in crate::run) fn let_go(&mut self, dynamics: &Dynamics, around: &mut Around<'d>) -> Result<Begun, End> {
         let begun = self.engine.begin(dynamics, around);
@@ -55,7 +76,8 @@ impl<'d> Session<'d> {
         around: &mut Around<'d>,
     ) -> Result<Linearized, End> {
         // Nothing can move: there is nothing to linearize.
-        if self.engine.freedom().degrees <= driven.len() {
+        let freedom = self.engine.freedom();
+        if freedom.degrees + freedom.shapes <= driven.len() {
             return Ok(Linearized::default());
         }
         let found = self.engine.linearize(driven, around);
