@@ -11,11 +11,12 @@ mod told;
 
 use bellcrank_results::{Column, FlexibleBodies, FlexibleBody, StudyResult};
 
-use crate::build::{Built, Deforming};
+use crate::build::{Built, Deforming, ShapesOf};
 use crate::design::{Design, Study, Values};
 use crate::elastic::End;
 use crate::elastic::meshing::Solid;
 use crate::elastic::pictures::Picture;
+use crate::flex::{Origin, Reduced};
 use crate::measure::Measure;
 use crate::run::Places;
 
@@ -26,6 +27,9 @@ struct Body<'a> {
     design: &'a Design,
     values: &'a Values,
     deforming: &'a Deforming,
+    reduced: &'a Reduced,
+    /// The reduction was taken from the cache.
+    cached: bool,
     solid: Solid,
     rows: &'a rows::BodyRows,
 }
@@ -44,11 +48,11 @@ pub(crate) fn tell(design: &Design, study: &Study, built: &Built, shapes: &Shape
     };
     for (deforming, rows) in built.flexible.iter().zip(&shapes.bodies) {
         match one(design, study, (deforming, rows), result) {
-            Ok(body) => found.bodies.push(body),
+            Ok(body) => found.bodies.extend(body),
             Err(end) => result.warnings.push(end.message),
         }
     }
-    result.flexible = Some(found);
+    result.flexible = (!found.bodies.is_empty()).then_some(found);
 }
 
 fn one(
@@ -56,21 +60,26 @@ fn one(
     study: &Study,
     (deforming, rows): (&Deforming, &rows::BodyRows),
     result: &mut StudyResult,
-) -> Result<FlexibleBody, End> {
+) -> Result<Option<FlexibleBody>, End> {
     let values = &study.values;
-    let Some(form) = &design.bodies[deforming.body].flexible else { return Err(super::ended("", "")) };
+    let (Some(form), ShapesOf::Solid { reduced, origin }) =
+        (&design.bodies[deforming.body].flexible, &deforming.shapes)
+    else {
+        return Ok(None);
+    };
     let solid = Solid::of(design, values, &form.mesh, deforming.body)?;
-    let body = Body { design, values, deforming, solid, rows };
+    let cached = *origin == Origin::Cache;
+    let body = Body { design, values, deforming, reduced, cached, solid, rows };
     let places = places(design, study, result);
     let recovered = recovery::Recovered::new(&body, form);
     let mut spots = spots::spots(&body, &recovered, &places)?;
     let name = &design.bodies[deforming.body].name;
     columns(design, name, &recovered, &mut spots, result);
-    let picture = Picture::new(&deforming.reduced.mesh);
+    let picture = Picture::new(&reduced.mesh);
     result.motions.extend(picture::motion(&body, &picture, &recovered, &spots, result.animation.as_ref()));
     let told = told::body(&body, form, &recovered, spots, &places)?;
     result.warnings.extend(told::warnings(&told));
-    Ok(told)
+    Ok(Some(told))
 }
 
 /// Where the machine was, row by row, in words.

@@ -17,7 +17,7 @@ pub(super) fn motion(
     animation: Option<&Animation>,
 ) -> Option<FlexibleMotion> {
     let rows: Vec<usize> = animation?.rows.iter().copied().filter(|row| *row < body.rows.poses.len()).collect();
-    let reduced = &body.deforming.reduced;
+    let reduced = body.reduced;
     let surface = picture.contour(body.design.bodies[body.deforming.body].name.clone());
     let nodes: Vec<usize> = surface.numbers.iter().map(|number| *number as usize - 1).collect();
     let columns = &body.deforming.columns;

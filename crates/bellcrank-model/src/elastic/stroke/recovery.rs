@@ -3,7 +3,6 @@
 use bellcrank_fem::{Six, von_mises};
 
 use super::Body;
-use super::rows::BodyRows;
 use crate::build::Deforming;
 use crate::design::Flexible;
 use crate::elastic::regions::{Doubt, Doubtful, Region, regions};
@@ -59,7 +58,7 @@ impl<const N: usize> Columns<N> {
 
 impl Recovered {
     pub(super) fn new(body: &Body<'_>, form: &Flexible) -> Recovered {
-        let reduced = &body.deforming.reduced;
+        let reduced = body.reduced;
         let mesh = &reduced.mesh;
         let length = body.design.units.of(Measure::Length);
         let regions = regions(&body.solid, mesh, &length);
@@ -75,11 +74,11 @@ impl Recovered {
     }
 
     fn stresses(&mut self, body: &Body<'_>) {
-        let mesh = &body.deforming.reduced.mesh;
+        let mesh = &body.reduced.mesh;
         let surface = mesh.nodes_of_faces(&mesh.boundary());
         let mut place = vec![usize::MAX; mesh.nodes.len()];
         surface.iter().enumerate().for_each(|(k, &node)| place[node as usize] = k);
-        let mut columns = Columns::new(body.deforming, &surface, &body.deforming.reduced.stress);
+        let mut columns = Columns::new(body.deforming, &surface, &body.reduced.stress);
         let mut values = vec![0.0; surface.len()];
         for (row, coordinates) in body.rows.all().enumerate() {
             for ((value, stress), &node) in values.iter_mut().zip(columns.at(coordinates)).zip(&surface) {
@@ -106,7 +105,7 @@ impl Recovered {
 
     /// Interfaces and modes move some node of the surface most.
     fn displacements(&mut self, body: &Body<'_>) {
-        let reduced = &body.deforming.reduced;
+        let reduced = body.reduced;
         let surface = reduced.mesh.nodes_of_faces(&reduced.mesh.boundary());
         let mut columns = Columns::new(body.deforming, &surface, &reduced.reduction.shapes);
         for (row, coordinates) in body.rows.all().enumerate() {
@@ -120,20 +119,20 @@ impl Recovered {
 
 /// Nodes that interfaces hold as one rigid piece.
 fn held(body: &Body<'_>, form: &Flexible) -> Vec<u32> {
-    let reduced = &body.deforming.reduced;
+    let reduced = body.reduced;
     let points = reduced.reduction.points.iter().filter(|_| form.rigid);
     let bores = points.filter_map(|at| body.solid.bore_at(&reduced.mesh, *at));
     bores.flat_map(|(faces, _)| reduced.mesh.nodes_of_faces(&faces)).collect()
 }
 
 /// Stress of a node row by row, Pa.
-pub(super) fn history(deforming: &Deforming, rows: &BodyRows, node: u32) -> Vec<Six> {
-    let mut columns = Columns::new(deforming, &[node], &deforming.reduced.stress);
-    rows.all().map(|coordinates| columns.at(coordinates)[0]).collect()
+pub(super) fn history(body: &Body<'_>, node: u32) -> Vec<Six> {
+    let mut columns = Columns::new(body.deforming, &[node], &body.reduced.stress);
+    body.rows.all().map(|coordinates| columns.at(coordinates)[0]).collect()
 }
 
 /// Displacement of every node in a row, m.
-pub(super) fn displacement(deforming: &Deforming, coordinates: &[f64]) -> Vec<V3> {
-    let all: Vec<u32> = (0..deforming.reduced.mesh.nodes.len() as u32).collect();
-    Columns::new(deforming, &all, &deforming.reduced.reduction.shapes).at(coordinates).to_vec()
+pub(super) fn displacement(body: &Body<'_>, coordinates: &[f64]) -> Vec<V3> {
+    let all: Vec<u32> = (0..body.reduced.mesh.nodes.len() as u32).collect();
+    Columns::new(body.deforming, &all, &body.reduced.reduction.shapes).at(coordinates).to_vec()
 }

@@ -15,6 +15,7 @@ pub(super) struct Spot {
     /// Von Mises stress at its node in every row, Pa.
     pub(super) history: Vec<f64>,
     /// All components there.
+    #[allow(dead_code, reason = "for life under repeated load")]
     pub(super) stresses: Vec<Six>,
     pub(super) found: SpotHistory,
 }
@@ -41,11 +42,11 @@ fn one(
     places: &[String],
     strength: Option<f64>,
 ) -> Spot {
-    let stresses = history(body.deforming, body.rows, largest.node);
+    let stresses = history(body, largest.node);
     let [first, _, last] = principal(&stresses[largest.row]);
     let found = SpotHistory {
         region: recovered.regions[region].name.clone(),
-        at: body.deforming.reduced.mesh.nodes[largest.node as usize],
+        at: body.reduced.mesh.nodes[largest.node as usize],
         value: largest.value,
         row: largest.row,
         place: places.get(largest.row).cloned().unwrap_or_default(),
@@ -61,7 +62,7 @@ fn one(
 
 /// Smoothed stress is a sum of columns, its error is not: that of the worst rows is estimated anew.
 fn errors(body: &Body<'_>, spots: &mut [Spot]) -> Result<(), End> {
-    let mesh = &body.deforming.reduced.mesh;
+    let mesh = &body.reduced.mesh;
     let (material, _) = material_of(body.design, body.values, body.deforming.body, &body.solid)?;
     let materials = vec![material; mesh.blocks.len()];
     let part = Part { mesh, materials, supports: Vec::new(), couplings: Vec::new() };
@@ -69,7 +70,7 @@ fn errors(body: &Body<'_>, spots: &mut [Spot]) -> Result<(), End> {
     rows.sort_unstable();
     rows.dedup();
     for row in rows {
-        let displacement = displacement(body.deforming, body.rows.row(row));
+        let displacement = displacement(body, body.rows.row(row));
         let stress = Stress::new(&part, &Solution { displacement, ..Solution::default() });
         for spot in spots.iter_mut().filter(|spot| spot.found.row == row) {
             spot.found.error = Some(stress.spread[spot.node as usize]);

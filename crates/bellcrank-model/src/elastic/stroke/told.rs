@@ -8,7 +8,6 @@ use super::spots::{Spot, peak};
 use crate::build::DAMPING;
 use crate::design::{Flexible, Quantity};
 use crate::elastic::{End, material_of, meshing};
-use crate::flex::Origin;
 
 /// Displacement against the body's extent above which linear theory is doubtful: what it leaves out is about the square
 /// of the turns that go with it.
@@ -25,7 +24,7 @@ pub(super) fn body(
     places: &[String],
 ) -> Result<FlexibleBody, End> {
     let design = of.design;
-    let (body, reduced) = (&design.bodies[of.deforming.body], &of.deforming.reduced);
+    let (body, reduced) = (&design.bodies[of.deforming.body], of.reduced);
     let (material, strength) = material_of(design, of.values, of.deforming.body, &of.solid)?;
     let solid = body.solid.as_ref().and_then(|worn| design.solids.get(worn.solid));
     let named = solid.and_then(|solid| design.materials.get(solid.material?));
@@ -49,7 +48,7 @@ pub(super) fn body(
         mesh: Some(meshing::row(&reduced.mesh)),
         mass: [reduced.reduction.inertia.mass, of.solid.mass(density)],
         checks: checks(of, density),
-        cached: of.deforming.origin == Origin::Cache,
+        cached: of.cached,
         peak: peak(&spots),
         error: "spread of the elements' stress about the smoothed one in the row of the largest stress".to_owned(),
         deformation: Some(deformation(of, recovered, places)),
@@ -58,7 +57,7 @@ pub(super) fn body(
 }
 
 fn checks(of: &Body<'_>, density: f64) -> Vec<ReductionCheck> {
-    let reduced = &of.deforming.reduced;
+    let reduced = &of.reduced;
     let known = &reduced.reduction.checks;
     let check = |key: &str, meaning: &str, value: f64| ReductionCheck {
         key: key.to_owned(),
@@ -80,7 +79,7 @@ fn checks(of: &Body<'_>, density: f64) -> Vec<ReductionCheck> {
 
 /// Largest relative difference of the integrals of the reduction from those of the mesh.
 fn inertia(of: &Body<'_>, density: f64) -> f64 {
-    let (inertia, mesh) = (&of.deforming.reduced.reduction.inertia, &of.deforming.reduced.mesh);
+    let (inertia, mesh) = (&of.reduced.reduction.inertia, &of.reduced.mesh);
     let exact = mesh.mass_properties(density);
     let all: f64 = (0..3).map(|i| inertia.second[i][i]).sum();
     let size = all.abs().max(f64::MIN_POSITIVE);
@@ -101,11 +100,11 @@ fn inertia(of: &Body<'_>, density: f64) -> f64 {
 
 fn deformation(of: &Body<'_>, recovered: &Recovered, places: &[String]) -> Deformation {
     let (displacement, row) = recovered.moved;
-    let turns = of.rows.all().flat_map(|row| turning(of, row)).fold(0.0, f64::max);
+    let turn = of.rows.all().flat_map(|row| turning(of, row)).fold(0.0, f64::max);
     Deformation {
         displacement,
-        share: displacement / extent(&of.deforming.reduced.mesh.nodes),
-        turn: turns,
+        share: displacement / extent(&of.reduced.mesh.nodes),
+        turn,
         place: places.get(row).cloned().unwrap_or_default(),
         limit: DOUBTFUL,
     }
@@ -113,7 +112,7 @@ fn deformation(of: &Body<'_>, recovered: &Recovered, places: &[String]) -> Defor
 
 /// Sizes of the turns among the coordinates of a row, rad.
 fn turning<'r>(of: &'r Body<'_>, row: &'r [f64]) -> impl Iterator<Item = f64> + 'r {
-    let interfaces = 6 * of.deforming.reduced.reduction.points.len();
+    let interfaces = 6 * of.reduced.reduction.points.len();
     let turns = move |column: usize| column < interfaces && column % 6 > 2;
     of.deforming.columns.iter().zip(row).filter(move |(column, _)| turns(**column)).map(|(_, d)| d.abs())
 }
