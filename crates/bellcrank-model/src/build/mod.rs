@@ -17,7 +17,7 @@ mod studies;
 use std::fmt::Arguments;
 
 use bellcrank_doc::{Diagnostic, Span};
-use bellcrank_multibody::{Blueprint, Coordinate, Engine, Place, engine_for};
+use bellcrank_multibody::{Blueprint, Engine, Place, engine_for};
 
 use crate::design::{Components, Design, Direction, Quantity, Values};
 use crate::geometry::Geometry;
@@ -47,12 +47,6 @@ impl<T: Scalar> Built<T> {
     /// Volume of the solid of a body, m³.
     pub(crate) fn volume(&self, body: usize) -> Option<T> {
         self.solids.get(body)?.volume()
-    }
-
-    /// Coordinates of all shapes, body by body.
-    #[allow(dead_code, reason = "for the run loop")]
-    pub(crate) fn elastic(&self) -> Vec<Coordinate> {
-        self.flexible.iter().flat_map(|body| body.coordinates.iter().copied()).collect()
     }
 
     /// Nothing yet, for [`rebuild`].

@@ -29,7 +29,7 @@ pub(super) use grips::faults;
 use grips::{Grip, take_hold};
 
 /// A flexible body of the engine, and where it comes from.
-#[allow(dead_code, reason = "for the run loop and pictures")]
+#[expect(dead_code, reason = "stress in beams is not recovered yet")]
 #[derive(Clone, Debug)]
 pub(crate) struct Deforming<T = f64> {
     /// Body of the design; a beam in segments has several of these in a row.
@@ -45,24 +45,13 @@ pub(crate) struct Deforming<T = f64> {
 }
 
 /// Columns of displacement and stress.
-#[allow(dead_code, reason = "for the run loop and pictures")]
+#[expect(dead_code, reason = "stress in beams is not recovered yet")]
 #[derive(Clone, Debug)]
 pub(crate) enum Shapes<T = f64> {
     /// Of a solid, in body axes.
     Solid { reduced: Arc<Reduced>, origin: Origin },
     /// Of a segment of a beam, in the axes of its floating frame, which are the body's.
     Beam(Box<Beam<T>>),
-}
-
-impl<T> Deforming<T> {
-    /// The solid that it was reduced from.
-    #[allow(dead_code, reason = "for the run loop and pictures")]
-    pub(crate) fn reduced(&self) -> Option<&Arc<Reduced>> {
-        match &self.shapes {
-            Shapes::Solid { reduced, .. } => Some(reduced),
-            Shapes::Beam(_) => None,
-        }
-    }
 }
 
 /// Part of critical damping in every natural mode, unless given: welded and bolted steel has 0.005 to 0.02.
