@@ -1,6 +1,9 @@
 //! Materials in numbers, and what no material can have.
 
+mod fatigue;
+
 use bellcrank_doc::Diagnostic;
+use bellcrank_fem::fatigue::Fatigue;
 
 use super::Numbers;
 use crate::design::{Design, Elastic, Material, Quantity, Values};
@@ -15,6 +18,10 @@ pub(crate) struct MaterialNumbers {
     pub(crate) strength: Option<f64>,
     /// Thermal expansion along the axes of the solid, 1/K.
     pub(crate) expansion: Option<[f64; 3]>,
+    /// Tensile strength, Pa.
+    pub(crate) tensile: Option<f64>,
+    /// How life under repeated load is worked out.
+    pub(crate) fatigue: Option<Fatigue>,
 }
 
 /// How a material gives way; moduli in Pa.
@@ -42,12 +49,16 @@ pub(crate) fn material(
     let material = design.materials.get(place)?;
     let before = faults.len();
     let mut check = Check { numbers: Numbers { design, values, faults }, material };
+    let tensile = material.tensile.as_ref().map(|strength| check.above_zero(strength, "tensile"));
     let found = MaterialNumbers {
         density: material.density.as_ref().map(|density| check.above_zero(density, "density")),
         elastic: material.elastic.as_ref().map(|elastic| check.elastic(elastic)),
         strength: material.strength.as_ref().map(|strength| check.above_zero(strength, "yield")),
         expansion: check.expansion(),
+        tensile,
+        fatigue: material.fatigue.as_ref().and_then(|form| check.fatigue(form, tensile)),
     };
+    check.ordered(&found);
     (faults.len() == before).then_some(found)
 }
 
@@ -75,6 +86,18 @@ impl Check<'_> {
 
     fn report(&mut self, quantity: &Quantity, message: String, hint: &str) {
         self.numbers.faults.push(Diagnostic::error("material", quantity.span(), message).hint(hint));
+    }
+
+    /// No material yields above its tensile strength.
+    fn ordered(&mut self, found: &MaterialNumbers) {
+        let (Some(strength), Some(tensile), Some(quantity)) = (found.strength, found.tensile, &self.material.tensile)
+        else {
+            return;
+        };
+        if 0.0 < tensile && tensile < strength {
+            let message = format!("`tensile` of material `{}` is below its `yield`", self.material.name);
+            self.report(quantity, message, "the tensile strength is the larger one");
+        }
     }
 
     fn expansion(&mut self) -> Option<[f64; 3]> {

@@ -105,6 +105,12 @@ fn properties(of: &MaterialNumbers) -> Vec<(&'static str, Vec<f64>, &'static str
     if let Some(strength) = of.strength {
         tell("yield", &[strength], "Pa");
     }
+    if let Some(tensile) = of.tensile {
+        tell("tensile", &[tensile], "Pa");
+    }
+    if let Some(fatigue) = &of.fatigue {
+        tell("fatigue.amplitude", &[fatigue.line.amplitude], "Pa");
+    }
     if let Some(expansion) = of.expansion {
         tell("expansion", &expansion, "1/K");
     }

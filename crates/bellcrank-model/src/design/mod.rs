@@ -32,8 +32,8 @@ pub(crate) use part::{
 pub(crate) use scope::{Quantity, Scope, ScopeId, Values};
 pub(crate) use sizing::{Actuator, Electric, Pneumatic, Sizing, Valve};
 pub(crate) use solid::{
-    BarForm, CornerForm, CutForm, CutKind, Elastic, EyeForm, FileForm, Height, LinkForm, Material, NamedSpot, Plane,
-    PlateForm, ProfileForm, RevolvedForm, Solid, SolidForm, Spot, WebForm, WebKind, Worn,
+    BarForm, CornerForm, CutForm, CutKind, Elastic, EyeForm, FatigueForm, FileForm, Height, LinkForm, Material,
+    MeanForm, NamedSpot, Plane, PlateForm, ProfileForm, RevolvedForm, Solid, SolidForm, Spot, WebForm, WebKind, Worn,
 };
 pub(crate) use study::{Hold, Missing, Over, Study, Sweep, Task};
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use bellcrank_doc::{Span, Spanned};
+use bellcrank_fem::fatigue::{Beyond, MetalGroup};
 use bellcrank_mesh::Mesh;
 
 use super::{Components, Direction, Quantity};
@@ -16,8 +17,11 @@ pub(crate) struct Material {
     pub(crate) density: Option<Quantity>,
     pub(crate) elastic: Option<Elastic>,
     pub(crate) strength: Option<Quantity>,
+    /// Tensile strength.
+    pub(crate) tensile: Option<Quantity>,
     /// One value, or one for each axis of the material.
     pub(crate) expansion: Vec<Quantity>,
+    pub(crate) fatigue: Option<FatigueForm>,
     /// Its density could not be read, which has been reported.
     pub(crate) faulty: bool,
 }
@@ -35,6 +39,28 @@ pub(crate) enum Elastic {
         poisson: Box<[Quantity; 3]>,
         shear: Box<[Quantity; 3]>,
     },
+}
+
+/// What a material stands when loaded again and again.
+#[derive(Debug)]
+pub(crate) struct FatigueForm {
+    /// At the knee of the Woehler line, at no mean stress.
+    pub(crate) amplitude: Quantity,
+    pub(crate) cycles: Quantity,
+    pub(crate) slope: Quantity,
+    pub(crate) beyond: Beyond,
+    pub(crate) mean: MeanForm,
+}
+
+/// How the mean stress of a cycle counts.
+#[derive(Debug)]
+pub(crate) enum MeanForm {
+    None,
+    /// With the tensile strength of the material.
+    Goodman,
+    Sensitivity(Quantity),
+    /// Sensitivity by the metal and the tensile strength.
+    Group(MetalGroup),
 }
 
 /// A solid.
@@ -234,13 +260,24 @@ type Visit<'v> = &'v mut dyn FnMut(&Quantity);
 impl Material {
     /// Every value in it.
     pub(crate) fn each_quantity(&self, visit: Visit<'_>) {
-        self.density.iter().chain(&self.strength).chain(&self.expansion).for_each(&mut *visit);
+        let strengths = self.strength.iter().chain(&self.tensile);
+        self.density.iter().chain(strengths).chain(&self.expansion).for_each(&mut *visit);
+        self.fatigue.iter().for_each(|fatigue| fatigue.each_quantity(visit));
         match &self.elastic {
             Some(Elastic::Isotropic { young, poisson }) => [young, poisson].into_iter().for_each(visit),
             Some(Elastic::Orthotropic { young, poisson, shear }) => {
                 young.iter().chain(poisson.iter()).chain(shear.iter()).for_each(visit);
             }
             None => {}
+        }
+    }
+}
+
+impl FatigueForm {
+    fn each_quantity(&self, visit: Visit<'_>) {
+        [&self.amplitude, &self.cycles, &self.slope].into_iter().for_each(&mut *visit);
+        if let MeanForm::Sensitivity(sensitivity) = &self.mean {
+            visit(sensitivity);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! `[materials]`.
 
+mod fatigue;
+
 use bellcrank_doc::{Diagnostic, Entry, Expression};
 
 use super::bodies::entries;
@@ -31,7 +33,9 @@ fn one(part: PartReader<'_>, entry: &Entry) -> Material {
         density: None,
         elastic: None,
         strength: None,
+        tensile: None,
         expansion: Vec::new(),
+        fatigue: None,
         faulty: true,
     };
     if let Some(fields) = part.reader.fields(&entry.value, &format!("material `{}`", entry.key)) {
@@ -41,7 +45,9 @@ fn one(part: PartReader<'_>, entry: &Entry) -> Material {
         material.faulty = keyed.has("density") && material.density.is_none();
         material.elastic = elastic(part, &keyed);
         material.strength = quantity("yield");
+        material.tensile = quantity("tensile");
         material.expansion = keyed.one_or_list("expansion").map(|all| part.quantities(all)).unwrap_or_default();
+        material.fatigue = fatigue::read(part, &keyed);
         keyed.finish();
     }
     material

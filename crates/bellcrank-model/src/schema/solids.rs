@@ -29,9 +29,38 @@ pub(crate) static MATERIAL: Schema = plain(
         ),
         Key::optional("shear", List(D::PRESSURE, &[3]), "shear moduli of an orthotropic material: [G12, G23, G13]"),
         Key::optional("yield", Value(D::PRESSURE), "yield strength"),
+        Key::optional("tensile", Value(D::PRESSURE), "tensile strength"),
         Key::optional("expansion", List(EXPANSION, &[1, 3]), "thermal expansion, one value or one for each axis"),
+        Key::optional("fatigue", Table(&FATIGUE), "what it stands when loaded again and again"),
     ],
 );
+
+pub(crate) static FATIGUE: Schema = plain(
+    "fatigue",
+    "Woehler line of the part as it is, with its surface and size: cycles = `cycles` * (amplitude / `amplitude`)^-`slope`.",
+    &[
+        Key::required("amplitude", Value(D::PRESSURE), "stress amplitude at the knee, at no mean stress (R = -1)"),
+        Key::required("cycles", Value(D::NONE), "cycles to failure there"),
+        Key::required("slope", Value(D::NONE), "its slope above that amplitude; above 1"),
+        Key::optional(
+            "beyond",
+            OneOf(BEYOND),
+            "below that amplitude: no damage, the same slope (elementary, unless given), or twice the slope less one (haibach)",
+        ),
+        Key::required("mean", OneOf(MEANS), "how the mean stress of a cycle counts; `goodman` needs `tensile`"),
+        Key::optional(
+            "sensitivity",
+            Value(D::NONE),
+            "of `fkm`: mean stress sensitivity, 0 to 1; that of `group` unless given",
+        ),
+        Key::optional("group", OneOf(GROUPS), "of `fkm`: metal, whose sensitivity follows from `tensile`"),
+    ],
+);
+
+pub(crate) const BEYOND: &[&str] = &["none", "elementary", "haibach"];
+pub(crate) const MEANS: &[&str] = &["none", "goodman", "fkm"];
+pub(crate) const GROUPS: &[&str] =
+    &["steel", "cast-steel", "nodular-iron", "malleable-iron", "grey-iron", "wrought-aluminium", "cast-aluminium"];
 
 const LAYERS: Key = Key::optional("layers", Pairs(D::LENGTH), "intervals along the axis in place of a thickness");
 const OFFSET: Key = Key::optional("offset", Value(D::LENGTH), "how far its middle is from the plane; 0 unless given");
