@@ -1,8 +1,10 @@
 //! Flexible bodies over the rows of a study: how far they deform, and the stress in them.
 //!
 //! Reading order: [`rows`] (what is kept while the machine moves), [`recovery`] (stress at nodes, row by row),
-//! [`spots`] (the largest of each region, with its history), [`told`] (what is said of a body), [`picture`].
+//! [`spots`] (the largest of each region, with its history), [`life`] (what repeats of it do), [`told`] (what is said of a
+//! body), [`picture`].
 
+mod life;
 mod picture;
 mod recovery;
 mod rows;
@@ -47,7 +49,7 @@ pub(crate) fn tell(design: &Design, study: &Study, built: &Built, shapes: &Shape
         length: units[1].clone(),
     };
     for (deforming, rows) in built.flexible.iter().zip(&shapes.bodies) {
-        match one(design, study, (deforming, rows), result) {
+        match one(design, study, (deforming, rows), result, &mut found.assumptions) {
             Ok(body) => found.bodies.extend(body),
             Err(end) => result.warnings.push(end.message),
         }
@@ -60,6 +62,7 @@ fn one(
     study: &Study,
     (deforming, rows): (&Deforming, &rows::BodyRows),
     result: &mut StudyResult,
+    assumptions: &mut Vec<String>,
 ) -> Result<Option<FlexibleBody>, End> {
     let values = &study.values;
     let (Some(form), ShapesOf::Solid { reduced, origin }) =
@@ -73,6 +76,10 @@ fn one(
     let places = places(design, study, result);
     let recovered = recovery::Recovered::new(&body, form);
     let mut spots = spots::spots(&body, &recovered, &places)?;
+    if let Some(life) = life::Life::of(design, values, deforming.body) {
+        life.tell(&mut spots);
+        life.assume(design, assumptions);
+    }
     let name = &design.bodies[deforming.body].name;
     columns(design, name, &recovered, &mut spots, result);
     let picture = Picture::new(&reduced.mesh);

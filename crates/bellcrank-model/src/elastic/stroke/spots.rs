@@ -15,7 +15,6 @@ pub(super) struct Spot {
     /// Von Mises stress at its node in every row, Pa.
     pub(super) history: Vec<f64>,
     /// All components there.
-    #[allow(dead_code, reason = "for life under repeated load")]
     pub(super) stresses: Vec<Six>,
     pub(super) found: SpotHistory,
 }
