@@ -17,7 +17,7 @@ pub(super) fn forces<T: Scalar>(
     forces: &mut Vec<ForceNumbers<T>>,
 ) {
     let design = numbers.design;
-    let Geometry { points, spans } = geometry;
+    let Geometry { points, spans, .. } = geometry;
     forces.clear();
     forces.extend(design.forces.iter().map(|force| element(numbers, force, points)));
     spans.clear();

@@ -62,7 +62,7 @@ impl<T: Scalar> Built<T> {
         };
         Built {
             blueprint,
-            geometry: Geometry { points: Vec::new(), spans: Vec::new() },
+            geometry: Geometry { points: Vec::new(), spans: Vec::new(), stresses: Vec::new() },
             solids: Vec::new(),
             flexible: Vec::new(),
         }
@@ -88,6 +88,7 @@ pub(crate) fn rebuild<T: Scalar>(
     let Built { blueprint, geometry, solids, flexible } = built;
     blueprint.flexible.clear();
     flexible.clear();
+    geometry.stresses.clear();
     blueprint.inputs = design.inputs.len();
     blueprint.gravity = numbers.vector(&design.gravity, format_args!("`gravity`"));
     bodies::points(&mut numbers, &mut geometry.points);

@@ -20,6 +20,7 @@ use bellcrank_multibody::Flexible;
 
 use crate::build::{self, Built, picked, shortened};
 use crate::design::{Body, Design, Flexible as Form, Study, Values};
+use crate::elastic::stroke::trusted_regions;
 use crate::elastic::{End, ended};
 use crate::progress::{Progress, Silent};
 use crate::scalar::Scalar;
@@ -40,6 +41,8 @@ pub(crate) struct Reduced {
     pub(crate) shortenings: Vec<Shortening>,
     /// Natural frequencies of the modes left out as they do not move in the plane of the machine, Hz.
     pub(crate) left_out: Vec<f64>,
+    /// Nodes whose stress can be trusted: of the whole surface (`peak`), and of each bore (`bore.NAME`).
+    pub(crate) regions: Vec<(String, Vec<u32>)>,
     /// What there is to say of how it was made.
     pub(crate) notes: Vec<String>,
     /// Damping matrix by rows of a damping ratio of 1.
@@ -49,7 +52,23 @@ pub(crate) struct Reduced {
 impl Reduced {
     fn new(mesh: Mesh, reduction: Reduction, stress: Vec<Vec<Six>>) -> Reduced {
         let damping = reduction.damping(1.0);
-        Reduced { mesh, reduction, stress, shortenings: Vec::new(), left_out: Vec::new(), notes: Vec::new(), damping }
+        Reduced {
+            mesh,
+            reduction,
+            stress,
+            shortenings: Vec::new(),
+            left_out: Vec::new(),
+            regions: Vec::new(),
+            notes: Vec::new(),
+            damping,
+        }
+    }
+
+    /// With the regions in which stress is looked for.
+    fn with_regions(self, recipe: &recipe::Recipe) -> Reduced {
+        let rigid = recipe.kind == bellcrank_fem::CouplingKind::Rigid;
+        let regions = trusted_regions(&recipe.solid, &self.mesh, &self.reduction.points, rigid);
+        Reduced { regions, ..self }
     }
 
     /// Number of modes with resting interfaces.

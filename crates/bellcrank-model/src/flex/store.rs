@@ -112,7 +112,10 @@ impl Store {
         if let Some(folder) = &folder {
             progress.at(0.0, &format!("{name}: looking into the cache"));
             match cache::load(folder, key) {
-                Ok(Some(reduced)) => return Ok(Found { reduced: Arc::new(reduced), origin: Origin::Cache, notes }),
+                Ok(Some(reduced)) => {
+                    let reduced = Arc::new(reduced.with_regions(recipe));
+                    return Ok(Found { reduced, origin: Origin::Cache, notes });
+                }
                 Ok(None) => {}
                 Err(fault) => notes.push(format!("the reduction of body `{name}` was made again: {fault}")),
             }
@@ -123,6 +126,6 @@ impl Store {
         {
             notes.push(format!("the reduction of body `{name}` was not kept: {fault}"));
         }
-        Ok(Found { reduced: Arc::new(reduced), origin: Origin::Made, notes })
+        Ok(Found { reduced: Arc::new(reduced.with_regions(recipe)), origin: Origin::Made, notes })
     }
 }

@@ -5,12 +5,13 @@ use bellcrank_multibody::Coordinate;
 
 use super::bodies::entries;
 use super::{Machine, PartReader};
-use crate::design::{Axes, Force, ForceShape, Input, Load};
+use crate::design::{Axes, Force, ForceShape, Input, Load, SolidForm};
+use crate::elastic::stroke::PEAK;
 use crate::keyed::Keyed;
 use crate::measure::Motion;
 use crate::names;
 use crate::schema::{Along, FORCE};
-use crate::signals::{Catalogue, ForceLayout, InstantSignals, JointLayout, Layout, Outputs, Signal};
+use crate::signals::{Catalogue, ForceLayout, InstantSignals, JointLayout, Layout, MOST, Outputs, Signal};
 
 /// The forces of a model, and the signals they use.
 pub(crate) struct ReadForces {
@@ -75,7 +76,25 @@ fn layout(planar: bool, machine: &Machine, forces: &[Opened<'_>]) -> Layout {
         bodies: machine.bodies.iter().map(body).collect(),
         joints: machine.joints.iter().map(joint).collect(),
         forces: forces.iter().map(force).collect(),
+        stresses: stresses(machine),
     }
+}
+
+/// Bodies that deform as solids: their peak, and their bores.
+fn stresses(machine: &Machine) -> Vec<(usize, Vec<String>)> {
+    let mut all = Vec::new();
+    for (index, body) in machine.bodies.iter().enumerate() {
+        let (Some(_), Some(worn)) = (&body.flexible, &body.solid) else { continue };
+        let Some(solid) = machine.solids.get(worn.solid) else { continue };
+        let mut regions = vec![PEAK.to_owned()];
+        if let SolidForm::Link(link) = &solid.form {
+            let bored = link.eyes.iter().filter(|eye| eye.bore.expression.as_constant() != Some(0.0));
+            regions.extend(bored.map(|eye| format!("bore.{}", eye.name)));
+        }
+        regions.truncate(MOST);
+        all.push((index, regions));
+    }
+    all
 }
 
 fn outputs(kind: &str, along: Option<Motion>) -> Outputs {

@@ -35,6 +35,8 @@ impl Recorder {
             let wanted = match source {
                 Source::Time => has_time,
                 Source::Drive(c) => efforts.contains(&c),
+                // Recovered for all rows at once when the study is over.
+                Source::Stress(_) => false,
                 _ => true,
             };
             if wanted {

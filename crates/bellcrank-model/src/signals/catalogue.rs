@@ -15,9 +15,14 @@ pub(crate) enum Source {
     Joint(Coordinate),
     Reaction(usize),
     Drive(Coordinate),
-    Point { body: usize, point: usize },
+    Point {
+        body: usize,
+        point: usize,
+    },
     Body(usize),
     Force(usize),
+    /// Of a body that deforms, by its place among the bodies.
+    Stress(usize),
     Energy,
     Check,
 }
@@ -37,6 +42,8 @@ pub(crate) struct Layout {
     pub(crate) bodies: Vec<(String, Vec<String>)>,
     pub(crate) joints: Vec<JointLayout>,
     pub(crate) forces: Vec<ForceLayout>,
+    /// Bodies with stress: place, and regions.
+    pub(crate) stresses: Vec<(usize, Vec<String>)>,
 }
 
 #[derive(Debug)]
@@ -135,6 +142,7 @@ fn sources(layout: &Layout) -> Vec<Source> {
     all.extend(bodies().flat_map(points));
     all.extend(bodies().map(|(body, _)| Source::Body(body)));
     all.extend((0..layout.forces.len()).map(Source::Force));
+    all.extend(layout.stresses.iter().map(|(body, _)| Source::Stress(*body)));
     all.extend([Source::Energy, Source::Check]);
     all
 }

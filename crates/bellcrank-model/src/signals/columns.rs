@@ -37,9 +37,22 @@ pub(crate) fn columns(source: Source, layout: &Layout) -> Vec<Column> {
             named(&name, "", if layout.planar { PLANAR_BODY } else { SPATIAL_BODY })
         }
         Source::Force(force) => element(force, layout),
+        Source::Stress(body) => stress(body, layout),
         Source::Energy => named("energy", "", ENERGY),
         Source::Check => named("check", "", CHECK),
     }
+}
+
+/// The largest stress of all that can be trusted, then that of each bore.
+fn stress(body: usize, layout: &Layout) -> Vec<Column> {
+    let name = layout.bodies.get(body).map_or("", |(name, _)| name);
+    let regions = layout.stresses.iter().find(|(of, _)| *of == body).map_or(&[][..], |(_, regions)| regions);
+    let column = |region: &String| Column {
+        name: format!("stress.{name}.{region}"),
+        measure: Measure::Stress,
+        level: Level::Force,
+    };
+    regions.iter().map(column).collect()
 }
 
 fn named(owner: &str, suffix: &str, parts: &[Part]) -> Vec<Column> {

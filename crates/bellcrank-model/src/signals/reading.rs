@@ -61,6 +61,7 @@ impl<T: Real> View<'_, T> {
             }
             Source::Body(body) => self.body(BodyId(body), &mut out),
             Source::Force(force) => self.force(force, &mut out),
+            Source::Stress(body) => self.stress(body, &mut out),
             Source::Energy => {
                 let energy = self.readings.energy();
                 out.extend(&[energy.kinetic, energy.potential, energy.kinetic + energy.potential]);
@@ -86,6 +87,13 @@ impl<T: Real> View<'_, T> {
             let effort = self.readings.drive(place);
             out.extend(&[effort, effort * self.readings.coordinate(c).velocity]);
         }
+    }
+
+    fn stress(&self, body: usize, out: &mut Out<'_, T>) {
+        let layout = self.catalogue.layout().stresses.iter().find(|(of, _)| *of == body);
+        let found = self.geometry.stresses.iter().find(|stressed| stressed.body == body);
+        let (Some((_, regions)), Some(found)) = (layout, found.filter(|_| self.solved())) else { return };
+        regions.iter().for_each(|region| out.push(found.largest(region, self.readings)));
     }
 
     fn reaction(&self, joint: usize, out: &mut Out<'_, T>) {

@@ -99,7 +99,7 @@ pub struct SpotHistory {
     pub margin: Option<f64>,
     /// Why the number means nothing.
     pub singular: Option<&'static str>,
-    /// Signal of the study's table with the stress at this place row by row; empty without.
+    /// Signal of the study's table with the largest stress of its region row by row; empty without.
     pub signal: String,
     /// Life under repeats of the study.
     pub fatigue: Option<Fatigue>,

@@ -21,6 +21,7 @@ use bellcrank_multibody::{
 use super::{Built, frames};
 use crate::design::{Design, Flexible, Values};
 use crate::flex::{Found, Origin, Reduced};
+use crate::geometry::Stressed;
 use crate::scalar::Scalar;
 
 pub(crate) use chain::MOST_MODES;
@@ -113,6 +114,8 @@ fn solid<T: Scalar>(
     appending.flexible(numbers);
     take_hold(design, built, body, &grips);
     let shapes = Shapes::Solid { reduced: Arc::clone(reduced), origin: *origin };
+    let (own, of) = (coordinates.clone(), columns.clone());
+    built.geometry.stresses.push(Stressed { body, coordinates: own, columns: of, reduced: Arc::clone(reduced) });
     built.flexible.push(Deforming { body, carrier: BodyId(body), coordinates, modes, columns, shapes });
 }
 

@@ -22,6 +22,7 @@ use crate::flex::{Origin, Reduced};
 use crate::measure::Measure;
 use crate::run::Places;
 
+pub(crate) use recovery::{PEAK, trusted_regions};
 pub(crate) use rows::Shapes;
 
 /// One flexible body and what is known of it.
@@ -96,7 +97,7 @@ fn places(design: &Design, study: &Study, result: &StudyResult) -> Vec<String> {
     axis.map_or_else(Vec::new, |axis| axis.values.iter().map(|at| places.at(*at)).collect())
 }
 
-/// The histories of the hot spots as signals of the table.
+/// The largest stress of all and of each region as signals of the table.
 fn columns(
     design: &Design,
     body: &str,
@@ -105,10 +106,15 @@ fn columns(
     result: &mut StudyResult,
 ) {
     let unit = design.units.of(Measure::Stress);
+    let name = |key: &str| format!("stress.{body}.{key}");
+    let mut add = |key: &str, values: Vec<f64>| {
+        result.table.columns.push(Column { name: name(key), unit: unit.clone(), values });
+    };
+    add(recovery::PEAK, recovered.peaks());
+    for (region, curve) in recovered.regions.iter().zip(&recovered.curves) {
+        add(&region.key, curve.clone());
+    }
     for spot in spots.iter_mut().filter(|spot| spot.found.singular.is_none()) {
-        let name = format!("stress.{body}.{}", recovered.regions[spot.region].key);
-        let values = spot.history.clone();
-        result.table.columns.push(Column { name: name.clone(), unit: unit.clone(), values });
-        spot.found.signal = name;
+        spot.found.signal = name(&recovered.regions[spot.region].key);
     }
 }

@@ -1,13 +1,19 @@
 //! Stress and displacement of the surface, row by row: sums of columns (modal stress recovery).
 
 use bellcrank_fem::{Six, von_mises};
+use bellcrank_mesh::Mesh;
+use bellcrank_results::Unit;
 
 use super::Body;
 use crate::build::Deforming;
 use crate::design::Flexible;
+use crate::elastic::meshing::Solid;
 use crate::elastic::regions::{Doubt, Doubtful, Region, regions};
 use crate::elastic::vector::{V3, norm};
 use crate::measure::Measure;
+
+/// Key of the largest of all regions.
+pub(crate) const PEAK: &str = "peak";
 
 /// What was found on the surface.
 pub(super) struct Recovered {
@@ -18,6 +24,8 @@ pub(super) struct Recovered {
     pub(super) envelope: Vec<f64>,
     /// The largest of each region, of what can be trusted and of the rest.
     pub(super) largest: Vec<[Option<Largest>; 2]>,
+    /// The largest of each region that can be trusted, row by row, Pa: `curves[region][row]`; NaN where there is none.
+    pub(super) curves: Vec<Vec<f64>>,
     /// Largest displacement of a node, and in which row.
     pub(super) moved: (f64, usize),
 }
@@ -62,12 +70,14 @@ impl Recovered {
         let mesh = &reduced.mesh;
         let length = body.design.units.of(Measure::Length);
         let regions = regions(&body.solid, mesh, &length);
-        let doubtful = Doubtful::new(mesh, &held(body, form));
+        let points = &reduced.reduction.points;
+        let doubtful = Doubtful::new(mesh, &held(&body.solid, mesh, points, form.rigid));
         let doubt = |region: &Region| region.nodes.iter().map(|&node| doubtful.at(mesh.nodes[node as usize])).collect();
         let doubts = regions.iter().map(doubt).collect();
         let largest = vec![[None; 2]; regions.len()];
         let envelope = vec![0.0; mesh.nodes.len()];
-        let mut recovered = Recovered { regions, doubts, envelope, largest, moved: (0.0, 0) };
+        let mut recovered =
+            Recovered { curves: vec![Vec::new(); regions.len()], regions, doubts, envelope, largest, moved: (0.0, 0) };
         recovered.stresses(body);
         recovered.displacements(body);
         recovered
@@ -92,15 +102,26 @@ impl Recovered {
 
     /// Takes the largest of each region in a row.
     fn compare(&mut self, row: usize, value: impl Fn(u32) -> f64) {
-        for ((region, doubts), largest) in self.regions.iter().zip(&self.doubts).zip(&mut self.largest) {
+        let all = self.regions.iter().zip(&self.doubts).zip(&mut self.largest).zip(&mut self.curves);
+        for (((region, doubts), largest), curve) in all {
+            curve.push(f64::NAN);
             for (&node, &doubt) in region.nodes.iter().zip(doubts) {
                 let slot = &mut largest[usize::from(doubt.is_some())];
                 let value = value(node);
+                if doubt.is_none() {
+                    curve[row] = curve[row].max(value);
+                }
                 if slot.is_none_or(|known| value > known.value) {
                     *slot = Some(Largest { value, node, row, doubt });
                 }
             }
         }
+    }
+
+    /// The largest of all regions row by row.
+    pub(super) fn peaks(&self) -> Vec<f64> {
+        let rows = self.curves.first().map_or(0, Vec::len);
+        (0..rows).map(|row| self.curves.iter().fold(f64::NAN, |most: f64, curve| most.max(curve[row]))).collect()
     }
 
     /// Interfaces and modes move some node of the surface most.
@@ -117,12 +138,25 @@ impl Recovered {
     }
 }
 
-/// Nodes that interfaces hold as one rigid piece.
-fn held(body: &Body<'_>, form: &Flexible) -> Vec<u32> {
-    let reduced = body.reduced;
-    let points = reduced.reduction.points.iter().filter(|_| form.rigid);
-    let bores = points.filter_map(|at| body.solid.bore_at(&reduced.mesh, *at));
-    bores.flat_map(|(faces, _)| reduced.mesh.nodes_of_faces(&faces)).collect()
+/// Nodes that interfaces at these points hold as one rigid piece.
+fn held(solid: &Solid, mesh: &Mesh, points: &[V3], rigid: bool) -> Vec<u32> {
+    let bores = points.iter().filter(|_| rigid).filter_map(|at| solid.bore_at(mesh, *at));
+    bores.flat_map(|(faces, _)| mesh.nodes_of_faces(&faces)).collect()
+}
+
+/// Nodes whose stress can be trusted: of the whole surface (`peak`), and of each bore.
+pub(crate) fn trusted_regions(solid: &Solid, mesh: &Mesh, points: &[V3], rigid: bool) -> Vec<(String, Vec<u32>)> {
+    let doubtful = Doubtful::new(mesh, &held(solid, mesh, points, rigid));
+    let sure = |nodes: &[u32]| -> Vec<u32> {
+        nodes.iter().copied().filter(|&node| doubtful.at(mesh.nodes[node as usize]).is_none()).collect()
+    };
+    let regions = regions(solid, mesh, &Unit::one());
+    let mut all: Vec<u32> = regions.iter().flat_map(|region| sure(&region.nodes)).collect();
+    all.sort_unstable();
+    all.dedup();
+    let bores = regions.iter().filter(|region| region.key.starts_with("bore."));
+    let bores = bores.map(|region| (region.key.clone(), sure(&region.nodes)));
+    std::iter::once((PEAK.to_owned(), all)).chain(bores).collect()
 }
 
 /// Stress of a node row by row, Pa.
