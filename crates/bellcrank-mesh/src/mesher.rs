@@ -43,7 +43,7 @@ pub fn mesh_stack(stack: &Stack<f64>, names: &[&str], shape: Shape, sizes: &Size
     sizes::check(sizes, shape)?;
     let plan = plan::Plan::of(stack)?;
     let walls = walls::measure(&plan);
-    let coarse = sizes.size.unwrap_or_else(|| walls::default_size(&plan, &walls));
+    let coarse = sizes.scale * sizes.size.unwrap_or_else(|| walls::default_size(&plan, &walls));
     let field = field::of_plan(&plan, &walls, coarse, sizes);
     let levels = heights::levels(&plan, coarse, sizes);
     estimate::check_outline(&plan, &field, sizes.most_nodes)?;

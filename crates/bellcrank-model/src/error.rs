@@ -30,6 +30,22 @@ pub enum RunError {
         /// Its kind.
         kind: String,
     },
+    /// Convergence is asked of a study that has no rows of its own.
+    NoRows {
+        /// The study.
+        study: String,
+        /// Its kind.
+        kind: String,
+        /// The study that it asks, if any.
+        of: Option<String>,
+    },
+    /// Convergence is asked of a study without flexible bodies.
+    Rigid {
+        /// The study.
+        study: String,
+        /// There are such bodies; the study makes them rigid.
+        switched_off: bool,
+    },
 }
 
 impl RunError {
@@ -48,6 +64,17 @@ impl RunError {
                             and `sizing`";
                 vec![hint.to_owned()]
             }
+            RunError::NoRows { of: Some(of), .. } => vec![format!("ask the study that it asks: `{of}`")],
+            RunError::NoRows { .. } => {
+                vec!["ask a study of kind kinematics, inverse-dynamics, statics or dynamics".to_owned()]
+            }
+            RunError::Rigid { switched_off: true, .. } => {
+                vec!["take `flexible = false` out of the study".to_owned()]
+            }
+            RunError::Rigid { .. } => {
+                let hint = "a body with a solid or a beam deforms by `flexible = true`: docs/flexible.md";
+                vec![hint.to_owned()]
+            }
         }
     }
 }
@@ -62,6 +89,10 @@ impl fmt::Display for RunError {
             RunError::NotAsked { study, kind } => {
                 write!(f, "study `{study}`: this version has no `{kind}` of a study of kind `dynamics`")
             }
+            RunError::NoRows { study, kind, .. } => {
+                write!(f, "study `{study}` is of kind `{kind}`, which has no rows to compare")
+            }
+            RunError::Rigid { study, .. } => write!(f, "study `{study}` has no flexible bodies"),
         }
     }
 }

@@ -9,6 +9,7 @@ mod ask;
 mod build;
 mod catalogue;
 mod check;
+mod converge;
 #[cfg(test)]
 mod derivatives;
 mod design;
@@ -41,6 +42,7 @@ pub mod verify;
 mod written;
 
 pub use check::{BodyFact, Check, JointFact, SolidFact, solid_table};
+pub use converge::Converge;
 pub use error::RunError;
 pub use improve::{ImproveError, Improved};
 pub use load::{Loaded, load};

@@ -265,6 +265,11 @@ impl Model {
         &self.parts.design
     }
 
+    /// The design, to be changed for a while, and the studies.
+    pub(crate) fn design_and_studies(&mut self) -> (&mut Design, &[Study]) {
+        (&mut self.parts.design, &self.parts.studies)
+    }
+
     pub(crate) fn built(&self) -> &Built {
         &self.built
     }
@@ -298,11 +303,11 @@ pub(crate) fn parameter_row(design: &Design, set: &ParameterSet, index: usize, p
 }
 
 /// The part of a run that one study is.
-struct Share<'p> {
-    whole: &'p mut dyn Progress,
-    study: &'p str,
-    index: usize,
-    count: usize,
+pub(crate) struct Share<'p> {
+    pub(crate) whole: &'p mut dyn Progress,
+    pub(crate) study: &'p str,
+    pub(crate) index: usize,
+    pub(crate) count: usize,
 }
 
 impl Progress for Share<'_> {

@@ -22,5 +22,5 @@ pub use exports::Exports;
 pub use figures::{FigureFile, figures};
 pub use html::render_html;
 pub use picture::{PictureFile, pictures};
-pub use terminal::{Style, terminal_summary};
+pub use terminal::{Style, terminal_convergence, terminal_summary};
 pub use write::{write_report, write_run};

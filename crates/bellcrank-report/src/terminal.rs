@@ -1,10 +1,13 @@
 //! The summary that a run prints: what an engineer reads at a glance.
 
+mod convergence;
 mod events;
 mod flexible;
 mod grid;
 mod kinds;
 mod paint;
+
+pub use convergence::terminal_convergence;
 
 use bellcrank_results::{Reaction, RunResult, StudyResult};
 

@@ -5,6 +5,7 @@
 
 mod cells;
 mod contour;
+mod convergence;
 mod csv;
 mod drawing;
 mod events;
@@ -26,6 +27,7 @@ mod vtu;
 
 pub use cells::{Field, TextTable, write_text_csv};
 pub use contour::{Contour, ContourField, ContourMark, ContourShape};
+pub use convergence::{Convergence, Ladder, Over, Rung, Watched};
 pub use csv::{heading, write_csv};
 pub use drawing::{Animation, Arrow, Drawing, DrawnBody, DrawnJoint, Pose, SpaceKind, Surface};
 pub use events::{Ended, Event, EventKind, Events};

@@ -12,8 +12,8 @@ use crate::{
     Column, Extreme, Failure, Findings, ParameterRow, Provenance, Reaction, Reductions, RunResult, StudyResult, Unit,
 };
 pub use programme::moves;
-pub(crate) use values::{change, rounded};
-use values::{maybe, named, quantity, shown, whole};
+pub(crate) use values::{change, quantity, rounded};
+use values::{maybe, named, shown, whole};
 
 /// The summary of one study, as `summary.json` holds it: numbers in display units, each unit named.
 ///

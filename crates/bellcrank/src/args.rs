@@ -70,6 +70,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Write the solids of a model as STEP and STL; show their masses.
     Solids(SolidsArgs),
+    /// Run a study with more modes and finer meshes of its flexible bodies; show what is enough.
+    Converge(ConvergeArgs),
     /// Print the JSON Schema of the model file, for editors.
     Schema,
     /// Write a commented model file to start from.
@@ -112,6 +114,20 @@ pub(crate) struct RunArgs {
     /// Begin interrupted sweeps anew, instead of going on behind their last design.
     #[arg(long)]
     pub(crate) fresh: bool,
+    /// The cache.
+    #[command(flatten)]
+    pub(crate) kept: CacheArgs,
+    /// Print the summaries as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Print nothing but errors: no summary, no iterations.
+    #[arg(long, short, conflicts_with = "json")]
+    pub(crate) quiet: bool,
+}
+
+/// Where reductions outlive a run.
+#[derive(Debug, clap::Args)]
+pub(crate) struct CacheArgs {
     /// Where reductions of flexible bodies are kept from run to run; `BELLCRANK_CACHE`, or the folder for caches of the
     /// platform, unless given.
     #[arg(long, value_name = "DIR", conflicts_with = "no_cache")]
@@ -119,12 +135,30 @@ pub(crate) struct RunArgs {
     /// Keep no reductions, and use none that are kept.
     #[arg(long)]
     pub(crate) no_cache: bool,
-    /// Print the summaries as one JSON object.
+}
+
+/// Arguments of `converge`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ConvergeArgs {
+    /// The model file.
+    pub(crate) model: PathBuf,
+    /// The study; it has flexible bodies and rows of its own.
+    pub(crate) study: String,
+    /// Another value for a parameter, as `l31=700mm` (again for more).
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Largest change against the finest setting that counts as none.
+    #[arg(long, value_name = "SHARE", default_value = "1%")]
+    pub(crate) tolerance: String,
+    /// Threads of reductions; one a core unless given. Results do not depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(0..=1024))]
+    pub(crate) threads: Option<u16>,
+    /// The cache.
+    #[command(flatten)]
+    pub(crate) kept: CacheArgs,
+    /// Print the numbers as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Print nothing but errors: no summary, no iterations.
-    #[arg(long, short, conflicts_with = "json")]
-    pub(crate) quiet: bool,
 }
 
 /// Arguments of `check`.

@@ -3,13 +3,13 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use crate::args::RunArgs;
+use crate::args::CacheArgs;
 
 /// Names the folder, unless the arguments do.
 const OWN: &str = "BELLCRANK_CACHE";
 
 /// `--cache`, else `BELLCRANK_CACHE`, else where the platform keeps such things; `None` for no folder.
-pub(crate) fn folder(args: &RunArgs) -> Option<PathBuf> {
+pub(crate) fn folder(args: &CacheArgs) -> Option<PathBuf> {
     if args.no_cache {
         return None;
     }

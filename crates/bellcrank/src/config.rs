@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use bellcrank_model::{MeshFormats, PartFormat};
 use bellcrank_report::Exports;
 
-use crate::args::{CheckArgs, Format, NewArgs, RunArgs, SolidFormat, SolidsArgs};
+use crate::args::{CheckArgs, ConvergeArgs, Format, NewArgs, RunArgs, SolidFormat, SolidsArgs};
 use crate::exit::Refusal;
 
 /// A parameter's name and its other value, as written.
@@ -74,7 +74,7 @@ impl RunConfig {
             printed,
             threads: args.threads.map_or(0, usize::from),
             fresh: args.fresh,
-            cache: crate::cache::folder(args),
+            cache: crate::cache::folder(&args.kept),
         })
     }
 }
@@ -91,6 +91,46 @@ impl CheckConfig {
     /// Checks the arguments of `check`.
     pub(crate) fn new(args: &CheckArgs) -> Result<Self, Refusal> {
         Ok(Self { model: args.model.clone(), settings: settings(&args.set)?, json: args.json })
+    }
+}
+
+/// What `converge` shall do.
+#[derive(Debug)]
+pub(crate) struct ConvergeConfig {
+    pub(crate) model: PathBuf,
+    pub(crate) study: String,
+    pub(crate) settings: Vec<Setting>,
+    /// As a share, above 0.
+    pub(crate) tolerance: f64,
+    /// 0 is one a core.
+    pub(crate) threads: usize,
+    /// Where reductions are kept; `None` for nowhere.
+    pub(crate) cache: Option<PathBuf>,
+    pub(crate) json: bool,
+}
+
+impl ConvergeConfig {
+    /// Checks the arguments of `converge`.
+    pub(crate) fn new(args: &ConvergeArgs) -> Result<Self, Refusal> {
+        Ok(Self {
+            model: args.model.clone(),
+            study: args.study.clone(),
+            settings: settings(&args.set)?,
+            tolerance: share(&args.tolerance)?,
+            threads: args.threads.map_or(0, usize::from),
+            cache: crate::cache::folder(&args.kept),
+            json: args.json,
+        })
+    }
+}
+
+/// `1%`, `1 %` and `0.01` mean the same.
+fn share(text: &str) -> Result<f64, Refusal> {
+    let (number, unit) = text.trim().strip_suffix('%').map_or((text.trim(), 1.0), |number| (number.trim(), 0.01));
+    match number.parse::<f64>().map(|number| number * unit) {
+        Ok(share) if share > 0.0 && share < 1.0 => Ok(share),
+        _ => Err(Refusal::command_line(format!("`--tolerance` needs a share between 0 and 1, found `{text}`"))
+            .hint("write it as `--tolerance 1%` or `--tolerance 0.01`")),
     }
 }
 
@@ -192,6 +232,16 @@ mod tests {
         assert_eq!(setting(" a = b == c ").ok(), pair("a", "b == c"));
         for wrong in ["l31", "=3", "l31=", "", "="] {
             assert!(setting(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_share_has_a_percent_sign_or_none() {
+        for one in ["1%", "1 %", "0.01", " 1.0 % "] {
+            assert!((share(one).expect("a share") - 0.01).abs() < 1e-15, "{one}");
+        }
+        for wrong in ["", "%", "0", "-1%", "100%", "1", "1 mm", "nan", "inf"] {
+            assert!(share(wrong).is_err(), "{wrong}");
         }
     }
 

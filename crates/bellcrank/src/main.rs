@@ -53,6 +53,9 @@ fn run(args: &Args) -> Exit {
         Command::Solids(solids) => {
             config::SolidsConfig::new(solids).and_then(|config| commands::solids::run(&config, &console))
         }
+        Command::Converge(converge) => {
+            config::ConvergeConfig::new(converge).and_then(|config| commands::converge::run(&config, &console))
+        }
         Command::Schema => commands::schema::run(&console),
         Command::New(new) => config::NewConfig::new(new).and_then(|config| commands::new::run(&config, &console)),
         Command::Completions { shell } => commands::completions::run(*shell, &console),

@@ -22,6 +22,14 @@ impl Division {
         }
     }
 
+    /// Edges of so many times the length.
+    fn scaled(self, by: f64) -> Division {
+        match self {
+            Division::Length(length) => Division::Length(length * by),
+            Division::PerTurn(count) => Division::PerTurn(count / by),
+        }
+    }
+
     fn value(self) -> f64 {
         match self {
             Division::Length(value) | Division::PerTurn(value) => value,
@@ -34,6 +42,8 @@ impl Division {
 pub struct Sizes<'a> {
     /// Length of an element's edge far from everything; `None` takes two fifths of the usual wall.
     pub size: Option<f64>,
+    /// Multiplies `size`, also the one that is taken where none is given.
+    pub scale: f64,
     /// On bores.
     pub at_bores: Division,
     /// On fillets, holes and the ends of slots: every other arc that is concave seen from the material.
@@ -55,6 +65,7 @@ impl Default for Sizes<'_> {
     fn default() -> Self {
         Sizes {
             size: None,
+            scale: 1.0,
             at_bores: Division::PerTurn(24.0),
             at_fillets: Division::PerTurn(24.0),
             across_walls: 2.0,
@@ -66,10 +77,26 @@ impl Default for Sizes<'_> {
     }
 }
 
+impl Sizes<'_> {
+    /// All sizes times a factor; layers and elements across walls accordingly.
+    #[must_use]
+    pub fn scaled(self, by: f64) -> Self {
+        Sizes {
+            scale: self.scale * by,
+            at_bores: self.at_bores.scaled(by),
+            at_fillets: self.at_fillets.scaled(by),
+            across_walls: self.across_walls / by,
+            layers_across: (self.layers_across as f64 / by).ceil() as usize,
+            ..self
+        }
+    }
+}
+
 impl fmt::Debug for Sizes<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Sizes")
             .field("size", &self.size)
+            .field("scale", &self.scale)
             .field("at_bores", &self.at_bores)
             .field("at_fillets", &self.at_fillets)
             .field("across_walls", &self.across_walls)
@@ -130,6 +157,7 @@ impl std::error::Error for MesherError {}
 pub(super) fn check(sizes: &Sizes, shape: Shape) -> Result<(), MesherError> {
     let positive = [
         ("size", sizes.size.unwrap_or(1.0)),
+        ("scale", sizes.scale),
         ("at_bores", sizes.at_bores.value()),
         ("at_fillets", sizes.at_fillets.value()),
         ("across_walls", sizes.across_walls),

@@ -26,7 +26,7 @@ pub(crate) struct Flexible {
 }
 
 /// Which modes with resting interfaces are kept.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
     /// At most so many.
     pub(crate) count: usize,

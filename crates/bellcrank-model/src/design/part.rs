@@ -96,6 +96,8 @@ pub(crate) struct MeshForm {
     pub(crate) layers: Option<usize>,
     /// Tetrahedra in place of wedges.
     pub(crate) tetrahedra: bool,
+    /// Multiplies all sizes, given or not; 1 without. No file says it: studies of convergence do.
+    pub(crate) scale: Option<f64>,
 }
 
 /// What holds a set.

@@ -20,6 +20,8 @@ pub(crate) struct Solid {
     bores: Option<f64>,
     fillets: Option<f64>,
     layers: Option<usize>,
+    /// Multiplies all sizes.
+    scale: f64,
 }
 
 impl Solid {
@@ -40,6 +42,7 @@ impl Solid {
             bores: of(&wish.bores),
             fillets: of(&wish.fillets),
             layers: wish.layers,
+            scale: wish.scale.unwrap_or(1.0),
         })
     }
 
@@ -60,7 +63,8 @@ impl Solid {
             background: wanted.is_some().then_some(&background),
             most_nodes,
             ..usual
-        };
+        }
+        .scaled(self.scale);
         let names: Vec<&str> = self.eyes.iter().map(String::as_str).collect();
         let made = match &self.form {
             Form::Stack { stack, .. } => mesh_stack(stack, &names, self.shape, &sizes),

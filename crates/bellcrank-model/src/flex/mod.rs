@@ -71,6 +71,16 @@ impl Reduced {
         Reduced { regions, ..self }
     }
 
+    /// The same with at most so many modes, the slowest.
+    fn with_fewer(&self, modes: usize) -> Reduced {
+        let modes: Vec<usize> = (0..modes.min(self.modes())).collect();
+        let reduction = plane::with_modes(self.reduction.clone(), &modes);
+        let stress = self.stress[..reduction.coordinates()].to_vec();
+        let last = reduction.frequencies.last().copied().unwrap_or(0.0);
+        let left_out = self.left_out.iter().copied().filter(|frequency| *frequency < last).collect();
+        Reduced { left_out, notes: self.notes.clone(), ..Reduced::new(self.mesh.clone(), reduction, stress) }
+    }
+
     /// Number of modes with resting interfaces.
     pub(crate) fn modes(&self) -> usize {
         self.reduction.modes
@@ -106,6 +116,20 @@ pub(crate) fn prepare(design: &Design, study: &Study, progress: &mut dyn Progres
         notes.extend(found.notes.iter().chain(&found.reduced.notes).cloned());
     }
     Ok(notes)
+}
+
+/// The reduction of one flexible solid in a study.
+pub(crate) fn of_body(design: &Design, study: &Study, body: usize, progress: &mut dyn Progress) -> Result<Found, End> {
+    match &design.bodies[body].flexible {
+        Some(form) => design.reductions.get(design, &study.values, body, form, progress),
+        None => Err(ended(format!("body `{}` is rigid", design.bodies[body].name), "")),
+    }
+}
+
+/// Puts at hand what a body has that keeps fewer modes than `most` did, and is the same otherwise.
+pub(crate) fn keep_fewer(design: &Design, study: &Study, body: usize, most: &Reduced) -> Result<(), End> {
+    let Some(form) = &design.bodies[body].flexible else { return Ok(()) };
+    design.reductions.put(design, &study.values, body, form, most.with_fewer(form.modes.count))
 }
 
 /// Makes the flexible bodies of a machine deform that was built rigid. Reductions are those of `plain`, the values

@@ -39,7 +39,7 @@ pub(crate) fn rounded(si: f64, unit: &Unit) -> f64 {
 }
 
 /// A value with its unit.
-pub(super) fn quantity(si: f64, unit: &Unit) -> Value {
+pub(crate) fn quantity(si: f64, unit: &Unit) -> Value {
     json!({ "value": shown(si, unit), "unit": unit.symbol })
 }
 

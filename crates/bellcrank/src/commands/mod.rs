@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod converge;
 pub(crate) mod new;
 pub(crate) mod run;
 pub(crate) mod schema;

@@ -25,7 +25,7 @@ pub(super) fn sweep(profile: &[[f64; 2]], shape: Shape, sizes: &Sizes) -> Result
     let stack = flat(profile);
     let plan = plan::Plan::of(&stack)?;
     let walls = walls::measure(&plan);
-    let coarse = sizes.size.unwrap_or_else(|| walls::default_size(&plan, &walls));
+    let coarse = sizes.scale * sizes.size.unwrap_or_else(|| walls::default_size(&plan, &walls));
     // What is wanted anywhere round the axis: eight places a turn are asked.
     let around = sizes.background.map(|wanted| {
         move |[r, h, _]: [f64; 3]| {

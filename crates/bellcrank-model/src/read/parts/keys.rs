@@ -184,6 +184,7 @@ pub(crate) fn mesh(keyed: Keyed<'_>, part: PartReader<'_>) -> MeshForm {
         fillets: quantity("fillets"),
         layers: keyed.whole("layers").and_then(|layers| usize::try_from(layers.value).ok()),
         tetrahedra: keyed.choice("element").is_some_and(|word| word.value == "tet10"),
+        scale: None,
     };
     keyed.finish();
     form
