@@ -111,6 +111,7 @@ impl Climb<'_> {
         own.keep(self.design, counts.last().copied().unwrap_or(0));
         let full = self.full(own)?;
         for &count in counts {
+            self.design.reductions.clear();
             own.keep(self.design, count);
             for (body, found) in &full {
                 flex::keep_fewer(self.design, self.study, *body, &found.reduced)?;
@@ -149,6 +150,7 @@ impl Climb<'_> {
         }
         let mut ladder = Ladder { over: Over::Mesh, rungs: Vec::new(), ended: None };
         for scale in SCALES {
+            self.design.reductions.clear();
             own.scale(self.design, scale);
             let Some(rung) = self.rung(scale, &format!("sizes x {scale}")) else {
                 ladder.ended = Some("stopped by the user".to_owned());

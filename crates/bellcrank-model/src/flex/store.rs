@@ -82,6 +82,11 @@ impl Store {
         Ok(found)
     }
 
+    /// Gives up what is at hand: reductions of fine meshes are large.
+    pub(crate) fn clear(&self) {
+        locked(&self.kept).clear();
+    }
+
     /// Puts at hand what is known already.
     pub(super) fn put(
         &self,

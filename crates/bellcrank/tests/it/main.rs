@@ -2,6 +2,7 @@
 
 mod asks;
 mod check;
+mod converge;
 mod documents;
 mod dynamics;
 mod interrupt;

@@ -14,6 +14,7 @@ fn help() {
         ("help-check", &["check", "--help"]),
         ("help-new", &["new", "--help"]),
         ("help-solids", &["solids", "--help"]),
+        ("help-converge", &["converge", "--help"]),
     ] {
         snapshot::check(name, &sandbox, arguments);
     }
