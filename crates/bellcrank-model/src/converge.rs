@@ -142,7 +142,7 @@ impl Climb<'_> {
 
     /// Each mesh is reduced anew.
     fn over_mesh(&mut self, own: &Own) {
-        let fixed = own.from_files(self.design);
+        let fixed = own.with_given_meshes(self.design);
         let note = |name: &String| format!("body `{name}` has its mesh from a file: it stays as it is");
         self.found.notes.extend(fixed.iter().map(note));
         if fixed.len() == own.count() {

@@ -60,7 +60,7 @@ impl Own {
     }
 
     /// Names of bodies whose meshes are given.
-    pub(super) fn from_files(&self, design: &Design) -> Vec<String> {
+    pub(super) fn with_given_meshes(&self, design: &Design) -> Vec<String> {
         let form = |body: usize| Some(&design.solids.get(design.bodies[body].solid.as_ref()?.solid)?.form);
         let given = |body: &usize| matches!(form(*body), Some(SolidForm::File(_)));
         self.solids().filter(given).map(|body| design.bodies[body].name.clone()).collect()
