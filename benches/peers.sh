@@ -3,7 +3,8 @@
 # would use today, all in this call.
 #
 #   benches/peers.sh [PEERS] [PART]     PEERS: folder of the peer scripts (default ../shared/peers)
-#                                       PART: positions, dynamics, elasticity (default: the first two; elasticity takes minutes)
+#                                       PART: positions, dynamics, elasticity, flexible (default: the first two; the others
+#                                       take minutes)
 #
 # Figures are process CPU seconds, one thread. A peer that is not installed is named and left out;
 # `PEERS/run.sh setup` installs them. Whole-process figures include interpreter start and imports.
@@ -75,7 +76,16 @@ elasticity() {
   python3 benches/elasticity.py "$out"
 }
 
+# The lift with flexible links, from model file to stress: Exudyn and NGSolve, then bellcrank.
+flexible() { python3 benches/flexible.py "$out" "$program" "$peers" "$venv/bin/python"; }
+
 echo "building" >&2
+if [ "$part" = flexible ]; then
+  # BELLCRANK names a release build that is there already.
+  if [ -n "${BELLCRANK:-}" ]; then program=$BELLCRANK; else cargo build -q --release -p bellcrank; fi
+  flexible
+  exit
+fi
 if [ "$part" = elasticity ]; then
   cargo bench -q -p bellcrank-fem --bench peer --no-run
   elasticity
