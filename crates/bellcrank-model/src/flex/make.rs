@@ -63,8 +63,8 @@ fn chosen(recipe: &Recipe, round: &mut Round<'_>) -> Result<(Reduction, Vec<usiz
         let all = (0..reduction.modes).collect();
         return Ok((reduction, all, Vec::new()));
     }
-    // A link has about as many modes across its plane as in it.
-    let mut asked = 2 * wanted + 4;
+    // A plate has three modes across its plane for each one in it, and another round costs as much as the first.
+    let mut asked = 4 * wanted;
     for at in 0.. {
         let share = [at, at + 1].map(|done| f64::from(done) / ROUNDS as f64);
         let reduction = round(&Keep { count: Some(asked), ..recipe.keep }, share)?;

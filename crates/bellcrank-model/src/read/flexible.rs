@@ -37,6 +37,11 @@ impl Deforming {
     pub(super) fn of(self, body: usize) -> Deforming {
         Deforming { body, ..self }
     }
+
+    /// Place in the list of bodies.
+    pub(super) fn body(&self) -> usize {
+        self.body
+    }
 }
 
 /// Reads the key; `None` for a rigid body.

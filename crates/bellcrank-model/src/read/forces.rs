@@ -4,6 +4,7 @@ use bellcrank_doc::{Diagnostic, Entry, Expression, Value};
 use bellcrank_multibody::Coordinate;
 
 use super::bodies::entries;
+use super::flexible::Deforming;
 use super::{Machine, PartReader};
 use crate::design::{Axes, Force, ForceShape, Input, Load, SolidForm};
 use crate::elastic::stroke::PEAK;
@@ -83,9 +84,9 @@ fn layout(planar: bool, machine: &Machine, forces: &[Opened<'_>]) -> Layout {
 /// Bodies that deform as solids: their peak, and their bores.
 fn stresses(machine: &Machine) -> Vec<(usize, Vec<String>)> {
     let mut all = Vec::new();
-    for (index, body) in machine.bodies.iter().enumerate() {
-        let (Some(_), Some(worn)) = (&body.flexible, &body.solid) else { continue };
-        let Some(solid) = machine.solids.get(worn.solid) else { continue };
+    for index in machine.deforming.iter().map(Deforming::body) {
+        let worn = machine.bodies.get(index).and_then(|body| body.solid.as_ref());
+        let Some(solid) = worn.and_then(|worn| machine.solids.get(worn.solid)) else { continue };
         let mut regions = vec![PEAK.to_owned()];
         if let SolidForm::Link(link) = &solid.form {
             let bored = link.eyes.iter().filter(|eye| eye.bore.expression.as_constant() != Some(0.0));
