@@ -64,7 +64,7 @@ fn chosen(recipe: &Recipe, round: &mut Round<'_>) -> Result<(Reduction, Vec<usiz
         return Ok((reduction, all, Vec::new()));
     }
     // A plate has three modes across its plane for each one in it, and another round costs as much as the first.
-    let mut asked = 4 * wanted;
+    let mut asked = (4 * wanted).min(2 * wanted + 32);
     for at in 0.. {
         let share = [at, at + 1].map(|done| f64::from(done) / ROUNDS as f64);
         let reduction = round(&Keep { count: Some(asked), ..recipe.keep }, share)?;
