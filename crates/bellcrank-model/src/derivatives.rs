@@ -113,9 +113,14 @@ fn check(name: &str, model: &Model) -> Vec<usize> {
         let value = parameters.values().get(i).copied().unwrap_or(0.0);
         let of = parameters.all().get(i).map_or("time", |parameter| &parameter.name);
         let exact = seeded(design, i, value);
-        assert!(exact.iter().map(|x| x.re).eq(plain.iter().copied()), "{name}, {of}: other values with derivatives");
+        // Stress of a body that is rigid here is no number.
+        let same = |(x, y): (&Seeded, &f64)| x.re == *y || x.re.is_nan() && y.is_nan();
+        assert!(exact.iter().zip(&plain).all(same), "{name}, {of}: other values with derivatives");
         let slopes = exact.iter().map(|x| x.eps[i % SEEDS]);
         for (k, (slope, difference)) in slopes.clone().zip(differences(design, i, value)).enumerate() {
+            if plain[k].is_nan() {
+                continue;
+            }
             // Centres and products of symmetric solids are nothing but rounding, which a small step makes large.
             let slack = 1e-7 * slope.abs().max(plain[k].abs() * 1e-3) + 2e-15 / step(value);
             assert!((slope - difference).abs() <= slack, "{name}, {of}, number {k}: {slope} against {difference}");
